@@ -16,14 +16,9 @@
 layout(set = 0, binding = settingsBinding, std140) uniform EdgeReach {
     EdgeReachBlock settings;
 };
-layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform image2D reflectionColor;
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform image2D reflectionInfo;
-layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
 
 #include "scene_depth.glsl"
 #include "miss.glsl"

@@ -18,10 +18,6 @@ layout(set = 0, binding = lastColorBinding) uniform sampler2D lastColor;
 layout(set = 0, binding = lastInfoBinding) uniform sampler2D lastInfo;
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
-layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
 #include "tile_columns.glsl"
 
 const float leastWeight = 0.25;      // of what fits, among the texels between which a point falls

@@ -1,4 +1,8 @@
 // Four depths of the image sceneDepth at once, which costs devices about as much as one.
+#ifndef DEPTH_QUADS_GLSL
+#define DEPTH_QUADS_GLSL
+
+#include "scene_depth.glsl"
 
 vec2 perDepthTexel() {
     return 1.0 / vec2(textureSize(sceneDepth, 0));
@@ -9,3 +13,5 @@ vec2 perDepthTexel() {
 vec4 depthsAround(const MirrorBlock mirror, ivec2 corner, vec2 perTexel) {
     return textureGather(sceneDepth, vec2(sceneTexel(mirror, corner)) * perTexel);
 }
+
+#endif

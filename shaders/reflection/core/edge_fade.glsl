@@ -1,4 +1,8 @@
 // How a reflection fades out where the picture that it borrows from ends.
+#ifndef EDGE_FADE_GLSL
+#define EDGE_FADE_GLSL
+
+#include "mirror.glsl"
 
 // How many times `along` leads from a point to the border.
 float stepsToBorder(const MirrorBlock mirror, vec2 point, vec2 along) {
@@ -26,3 +30,5 @@ float edgeConfidence(const MirrorBlock mirror, vec2 q, vec2 source) {
     vec2 aside = min(source, vec2(regionSize(mirror)) - source);
     return confidenceWithin(mirror, min(borderDistance(mirror, q, source), min(aside.x, aside.y) + mirror.edgeFadeApart));
 }
+
+#endif

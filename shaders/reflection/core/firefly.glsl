@@ -2,6 +2,8 @@
 // would be a spot. A texel keeps its light up to 16 times that of the brightest of those beside it; from there on it loses
 // light, and from 256 times on has as much as that one. One without light has as much as the
 // darkest, and one far below none, too.
+#ifndef FIREFLY_GLSL
+#define FIREFLY_GLSL
 
 struct Four {
     vec3 upperLeft;
@@ -35,3 +37,5 @@ Four withoutFireflies(Four all) {
                 besides(all.lowerLeft, min(all.lowerRight, leastUp), max(all.lowerRight, mostUp)),
                 besides(all.lowerRight, min(all.lowerLeft, leastUp), max(all.lowerLeft, mostUp)));
 }
+
+#endif

@@ -1,4 +1,6 @@
 // The screen mirror, and what pixels, keys and depths are to it: reflection/core/mirror.h.
+#ifndef MIRROR_GLSL
+#define MIRROR_GLSL
 
 #include "mirror_block.h"
 #include "reflection_bindings.h"
@@ -216,3 +218,5 @@ uint keyFromDepth(const MirrorBlock mirror, float depth) {
 float depthFromKey(const MirrorBlock mirror, uint key) {
     return uintBitsToFloat(nearerIsGreater(mirror) ? key : ~key);
 }
+
+#endif

@@ -1,4 +1,10 @@
 // What the image sceneDepth says of its pixels.
+#ifndef SCENE_DEPTH_GLSL
+#define SCENE_DEPTH_GLSL
+
+#include "mirror.glsl"
+
+layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 
 float depthAt(const MirrorBlock mirror, ivec2 pixel) {
     return texelFetch(sceneDepth, sceneTexel(mirror, pixel), 0).r;
@@ -8,3 +14,5 @@ float depthAt(const MirrorBlock mirror, ivec2 pixel) {
 bool solid(const MirrorBlock mirror, ivec2 pixel, float depth) {
     return !isFar(mirror, depth) && !wellBelowPlane(mirror, vec3(vec2(pixel) + 0.5, depth));
 }
+
+#endif

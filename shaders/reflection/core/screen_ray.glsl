@@ -2,6 +2,8 @@
 #ifndef SCREEN_RAY_GLSL
 #define SCREEN_RAY_GLSL
 
+#include "mirror.glsl"
+
 // The mirrored ray of a pixel as screen points whose depth counts from infinityDepth: origin + mirroredDepth * along.
 struct ScreenRay {
     vec4 origin;

@@ -1,4 +1,6 @@
 // What shows at a pixel lies on a line through it, whatever the projection.
+#ifndef SIGHT_LINE_GLSL
+#define SIGHT_LINE_GLSL
 
 struct SightLine {
     vec3 onPlane;         // where it meets the plane, relative to the eye
@@ -20,3 +22,5 @@ SightLine sightLine(mat4 fromPixel, vec2 pixel, vec4 plane, float depthSign) {
     float towards = -dot(plane.xyz, direction);
     return SightLine(from + direction * ((dot(plane.xyz, from) + plane.w) / towards), direction, towards);
 }
+
+#endif

@@ -1,6 +1,14 @@
 // The colour of the image sceneColor where a ray meets it.
+#ifndef SOURCE_COLOR_GLSL
+#define SOURCE_COLOR_GLSL
 
+#include "constant.glsl"
+#include "scene_constants.h"
+#include "depth_quads.glsl"
+#include "encoding.glsl"
 #include "firefly.glsl"
+
+layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
 
 // Of a picture one pixel wide none lies before the first.
 vec3 texelColor(const MirrorBlock mirror, ivec2 pixel) {
@@ -32,3 +40,5 @@ vec3 sourceColor(const MirrorBlock mirror, vec2 source, float nearness) {
     vec2 share = apart ? step(0.5, beyond) : beyond;
     return mix(mix(colors.upperLeft, colors.upperRight, share.x), mix(colors.lowerLeft, colors.lowerRight, share.x), share.y);
 }
+
+#endif

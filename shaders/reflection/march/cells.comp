@@ -8,7 +8,6 @@
 
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = cellsBinding, std430) buffer Cells {
     uint cells[];
 };

@@ -1,5 +1,9 @@
 // How near the nearest thing above the plane is, as keyFromDepth() or noKey, in cells of 8 x 8 pixels and in blocks of 64 x
 // 64: reflection/march/cells.h.
+#ifndef CELLS_GLSL
+#define CELLS_GLSL
+
+#include "mirror.glsl"
 
 const int cellShift = 3;
 const int blockShift = 6;
@@ -20,3 +24,5 @@ int cellCount(const MirrorBlock mirror) {
 int firstSquare(const MirrorBlock mirror, int shift) {
     return shift == blockShift ? cellCount(mirror) : 0;
 }
+
+#endif

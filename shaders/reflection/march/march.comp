@@ -9,29 +9,12 @@
 #include "tiles.glsl"
 #include "march.glsl"
 
-#include "constant.glsl"
-#include "scene_constants.h"
-
-layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform image2D reflectionInfo;
-layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
 #include "tile_list.glsl"
 #include "depth_quads.glsl"
 #include "source_color.glsl"
 
-#ifdef CELLS
-#include "cells.glsl"
-layout(set = 0, binding = cellsBinding, std430) readonly buffer Cells {
-    uint cells[];
-};
-#include "march_cells.glsl"
-#else
-#include "march_strides.glsl"
-#endif
 #include "march_ray.glsl"
 
 #ifdef OPEN

@@ -2,10 +2,14 @@
 //
 // A point moving along a 3D line is a homogeneous screen point that moves linearly: clipping to the picture and to the
 // depth range is exact, and between two screen points pixel, depth and 1/w are linear (McGuire and Mara 2014).
+#ifndef MARCH_GLSL
+#define MARCH_GLSL
 
+#include "scene_depth.glsl"
+#include "reflection_info.glsl"
+#include "screen_ray.glsl"
 #include "march_block.h"
 
-layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = settingsBinding, std140) uniform MarchSettings {
     MarchBlock settings;
 };
@@ -352,3 +356,5 @@ struct March {
     vec3 source;   // pixel at which the hit shows, and how near the ray is there, from infinityDepth
     int worth;
 };
+
+#endif

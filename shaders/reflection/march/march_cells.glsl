@@ -1,5 +1,14 @@
 // Where a ray goes behind what is seen, pixel by pixel: squares of pixels in which all that is seen lies farther than the
-// ray, by the buffer Cells, are passed over at once.
+// ray are passed over at once.
+#ifndef MARCH_CELLS_GLSL
+#define MARCH_CELLS_GLSL
+
+#include "march.glsl"
+#include "cells.glsl"
+
+layout(set = 0, binding = cellsBinding, std430) readonly buffer Cells {
+    uint cells[];
+};
 
 Progress atStart(Track track, float noise) {
     return Progress(0.0, true, false, noCover, settings.steps);
@@ -140,3 +149,5 @@ Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) 
     at.reached = at.reached < end ? at.reached : 1.0;
     return crossing;
 }
+
+#endif

@@ -1,4 +1,12 @@
 // The whole way of a ray.
+#ifndef MARCH_RAY_GLSL
+#define MARCH_RAY_GLSL
+
+#ifdef CELLS
+#include "march_cells.glsl"
+#else
+#include "march_strides.glsl"
+#endif
 
 // From `from` along the unit `direction`, which leads away from the plane, for so many metres. `noise` is 0..1.
 March marched(const MirrorBlock mirror, vec3 from, vec3 direction, float metres, float noise) {
@@ -35,3 +43,5 @@ March marched(const MirrorBlock mirror, vec3 from, vec3 direction, float metres,
     bool sky = at.reached >= 1.0 && !at.hidden && !track.leavesPicture && reachesSky(mirror, track, perMetre);
     return March(sky ? infoSky : infoUnknown, vec3(0.0), found);
 }
+
+#endif

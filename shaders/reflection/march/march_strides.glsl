@@ -1,4 +1,8 @@
 // Where a ray goes behind what is seen, by strides and bisection.
+#ifndef MARCH_STRIDES_GLSL
+#define MARCH_STRIDES_GLSL
+
+#include "march.glsl"
 
 const int bisections = 6;
 
@@ -65,3 +69,5 @@ Crossing nextCrossing(const MirrorBlock mirror, Track track, inout Progress at) 
     if (!candidate) return noCrossing;
     return bisected(track, max(last, 0.0), at.reached, wasInFront, leaves);
 }
+
+#endif

@@ -13,10 +13,6 @@ layout(set = 0, binding = sortedTilesBinding, std430) readonly buffer Sorted {
     TileHeader sortedHeader;
     uint sorted[];
 };
-layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
 #include "list_tile.glsl"
 
 #ifdef HOLES

@@ -1,4 +1,10 @@
 // Where a mirrored ray runs behind what is seen.
+#ifndef HIDDEN_WAY_GLSL
+#define HIDDEN_WAY_GLSL
+
+#include "scene_depth.glsl"
+#include "screen_ray.glsl"
+#include "overhang_taps.glsl"
 
 const float backPixels = 64.0;   // that a ray is followed back to the side by which it went in
 const int strideHalvings = 3;
@@ -68,3 +74,5 @@ vec2 exitAfter(const MirrorBlock mirror, ScreenRay ray, vec2 from, vec2 step, fl
     float pixels = clamp(floor(min(left.x, left.y)) - 1.0, 0.0, mostPixels);
     return from + hiddenPixels(mirror, ray, from, step, pixels) * step;
 }
+
+#endif

@@ -1,4 +1,8 @@
 // What a mirrored ray meets of the scene, and the keys that lead there.
+#ifndef HITS_GLSL
+#define HITS_GLSL
+
+#include "hidden_way.glsl"
 
 struct Hit {
     bool valid;
@@ -23,3 +27,5 @@ ivec2 sourceOf(const MirrorBlock mirror, LineKey from) {
     vec4 p = sourcePoint(mirror, q, depthFromKey(mirror, from.key));
     return regionPixel(mirror, p.xy / p.w);
 }
+
+#endif

@@ -1,14 +1,22 @@
-// The keys that the scatter left in the buffer Keys.
+// The keys that the scatter left.
+#ifndef KEYS_GLSL
+#define KEYS_GLSL
 
-// Of keyGrid(), loaded once: CPU devices load uniforms anew in each turn of a loop.
-ivec2 lastCell;
+#include "mirror.glsl"
 
-void loadKeyGrid(const MirrorBlock mirror) {
-    lastCell = keyGrid(mirror) - 1;
+layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
+    uint keys[];
+};
+
+ivec2 lastCell(const MirrorBlock mirror) {
+    return keyGrid(mirror) - 1;
 }
 
 // Beyond the border its own keys again, which have had their turn.
-uint keyAt(ivec2 cell) {
-    cell = clamp(cell, ivec2(0), lastCell);
-    return keys[cell.y * (lastCell.x + 1) + cell.x];
+uint keyAt(const MirrorBlock mirror, ivec2 cell) {
+    ivec2 last = lastCell(mirror);
+    cell = clamp(cell, ivec2(0), last);
+    return keys[cell.y * (last.x + 1) + cell.x];
 }
+
+#endif

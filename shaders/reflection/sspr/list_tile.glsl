@@ -1,4 +1,13 @@
-// Adds tiles to the lists of the buffer Tiles.
+// The buffer of tiles, to shaders that add to its lists.
+#ifndef LIST_TILE_GLSL
+#define LIST_TILE_GLSL
+
+#include "tiles.glsl"
+
+layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
+    TileHeader header;
+    uint tiles[];
+};
 
 // Of an empty list; by one invocation.
 void beginLists() {
@@ -26,3 +35,5 @@ void listTileOfColumns(const MirrorBlock mirror, ivec2 tile) {
     atomicMax(header.columnGroups.y, group / groupsPerRow + 1u);
     tiles[2u * tileCount(mirror) - 1u - n] = packedTile(tile);
 }
+
+#endif

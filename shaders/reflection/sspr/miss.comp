@@ -6,11 +6,6 @@
 #include "reflection_info.glsl"
 #include "tiles.glsl"
 
-layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
-layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 

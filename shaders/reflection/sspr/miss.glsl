@@ -1,4 +1,9 @@
 // What is known of a mirrored pixel that nothing on the screen was found for.
+#ifndef MISS_GLSL
+#define MISS_GLSL
+
+#include "scene_depth.glsl"
+#include "reflection_info.glsl"
 
 // Where the far end of a mirrored ray shows. Affine in the mirror's pixel.
 struct FarEnd {
@@ -28,3 +33,5 @@ float infoOfMiss(const MirrorBlock mirror, vec2 q) {
 bool planeAhead(const MirrorBlock mirror, vec2 q) {
     return heightAtInfinity(mirror, q) < 0.0;
 }
+
+#endif

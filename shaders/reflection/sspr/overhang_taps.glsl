@@ -1,4 +1,8 @@
 // Where on the mirror keys are read, from one of its pixels towards the eye, for what hangs between.
+#ifndef OVERHANG_TAPS_GLSL
+#define OVERHANG_TAPS_GLSL
+
+#include "keys.glsl"
 #include "screen_ray.glsl"
 
 // What hangs lower than it is wide leaves keys in at least as many cells as lie between them and what it hides: taps may lie
@@ -25,5 +29,7 @@ ivec2 cellBefore(const MirrorBlock mirror, vec2 q, vec2 away, int tap) {
     int part = tap % tapsPerOctave;
     float farther = part == 0 ? 1.0 : part == 1 ? 1.26 : 1.587;
     float cells = farther * float(firstTap << (tap / tapsPerOctave));
-    return texelAt(q / float(keyEdge(mirror)) - cells * away, lastCell);
+    return texelAt(q / float(keyEdge(mirror)) - cells * away, lastCell(mirror));
 }
+
+#endif

@@ -1,5 +1,10 @@
 // What hangs over a mirror, a pier's deck for one, as the mirror shows it from below: the eye sees its top and its edge, and the
 // ray that meets its underside leaves by its hidden back.
+#ifndef OVERHANGS_GLSL
+#define OVERHANGS_GLSL
+
+#include "hits.glsl"
+#include "overhang_taps.glsl"
 
 const float leastHeight = 3.0;   // of its edge above the mirror [pixels]: what floats hangs nowhere
 const float levelWithin = 0.15;  // of its thickness
@@ -19,7 +24,7 @@ ivec2 overhangBefore(const MirrorBlock mirror, vec2 q, ScreenRay ray, vec2 away,
     int taps = farthest(away) > 0.0 ? tapsPerOctave * int(mirror.overhangSamples) : 0;
     for (int i = 0; i < taps; ++i) {
         ivec2 cell = cellBefore(mirror, q, away, i);
-        uint key = keyAt(cell);
+        uint key = keyAt(mirror, cell);
         bool found = key > here;
         bool isFirst = found && first.key == noKey;
         first.key = isFirst ? key : first.key;
@@ -198,3 +203,5 @@ Hit underOverhang(const MirrorBlock mirror, vec2 q, ScreenRay ray, Hit shown) {
     }
     return hit;
 }
+
+#endif

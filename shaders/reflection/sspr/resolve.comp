@@ -10,18 +10,6 @@
 #include "reflection_info.glsl"
 #include "tiles.glsl"
 
-#include "constant.glsl"
-#include "scene_constants.h"
-
-layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
-layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
-layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
-    uint keys[];
-};
-layout(set = 0, binding = sceneColorBinding) uniform sampler2D sceneColor;
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
 
@@ -141,12 +129,12 @@ struct KeysAround {
     uvec3 after;
 };
 
-uvec3 keysInRow(ivec2 cell) {
-    return uvec3(keyAt(cell - ivec2(1, 0)), keyAt(cell), keyAt(cell + ivec2(1, 0)));
+uvec3 keysInRow(const MirrorBlock mirror, ivec2 cell) {
+    return uvec3(keyAt(mirror, cell - ivec2(1, 0)), keyAt(mirror, cell), keyAt(mirror, cell + ivec2(1, 0)));
 }
 
-KeysAround keysAround(ivec2 cell) {
-    return KeysAround(keysInRow(cell - ivec2(0, 1)), keysInRow(cell), keysInRow(cell + ivec2(0, 1)));
+KeysAround keysAround(const MirrorBlock mirror, ivec2 cell) {
+    return KeysAround(keysInRow(mirror, cell - ivec2(0, 1)), keysInRow(mirror, cell), keysInRow(mirror, cell + ivec2(0, 1)));
 }
 
 uvec3 fartherThan(uint last, uvec3 some) {
@@ -175,7 +163,7 @@ const int keysAroundCell = 9;
 Hit nearestHit(const MirrorBlock mirror, ivec2 cell, ScreenRay ray, out bool past) {
     Hit hit = noHit;
     past = false;
-    KeysAround around = keysAround(cell);
+    KeysAround around = keysAround(mirror, cell);
     uint own = around.level.y;
     uint key = nextKey(around, ~0u);
     int left = keysAroundCell;
@@ -208,10 +196,10 @@ Hole holeAround(const MirrorBlock mirror, vec2 q, ScreenRay ray, uint here) {
     bvec2 keysBeside = bvec2(false);
     // Not do-while: SwiftShader's invocations that leave one before others lose what its last round loaded.
     for (int i = 1; i <= holeCells && (ahead.key == noKey || behind.key == noKey); ++i) {
-        ivec2 next = texelAt(cell + float(i) * step, lastCell);
-        ivec2 last = texelAt(cell - float(i) * step, lastCell);
-        uint nextKey = keyAt(next);
-        uint lastKey = keyAt(last);
+        ivec2 next = texelAt(cell + float(i) * step, lastCell(mirror));
+        ivec2 last = texelAt(cell - float(i) * step, lastCell(mirror));
+        uint nextKey = keyAt(mirror, next);
+        uint lastKey = keyAt(mirror, last);
         keysBeside = bvec2(keysBeside.x || nextKey != noKey, keysBeside.y || lastKey != noKey);
         if (ahead.key == noKey && nextKey > here) ahead = LineKey(nextKey, next);
         if (behind.key == noKey && lastKey > here) behind = LineKey(lastKey, last);
@@ -306,7 +294,7 @@ Shown shownAt(const MirrorBlock mirror, vec2 q, ScreenRay ray) {
     Guesses guesses = noGuesses;
     Hit thin = noHit;
     if (!hit.valid || pastSides) {
-        Hole hole = holeAround(mirror, q, ray, pastSides ? keyFromDepth(mirror, hit.depth) : keyAt(cell));
+        Hole hole = holeAround(mirror, q, ray, pastSides ? keyFromDepth(mirror, hit.depth) : keyAt(mirror, cell));
         if (!hit.valid && !hole.inside) info = infoOfMiss(mirror, q);
         if (!hit.valid && followed && hole.beside && info == infoSky) info = infoDoubtedSky;
         guesses = hole.left;
@@ -335,7 +323,6 @@ void main() {
     MirrorBlock mirror = storedMirror;
     ivec2 pixel = pixelToResolve(mirror);
     if (pixel == noPixel) return;
-    loadKeyGrid(mirror);
     vec2 q = middleOf(mirror, pixel);
     vec4 color = vec4(0.0);
     float info = infoUnknown;

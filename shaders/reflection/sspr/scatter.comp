@@ -10,7 +10,6 @@
 // An invocation takes a column of one tile, two pixels wide or a key.
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
 layout(set = 0, binding = keysBinding, std430) buffer Keys {
     uint keys[];
 };

@@ -1,4 +1,8 @@
 // Which column of a tile an invocation of an indirect dispatch over the list of columns in the buffer Tiles is for.
+#ifndef TILE_COLUMNS_GLSL
+#define TILE_COLUMNS_GLSL
+
+#include "listed_tiles.glsl"
 
 layout(local_size_x = tileEdge * tilesPerColumnGroup, local_size_y = 1) in;
 
@@ -16,3 +20,5 @@ Column columnToVisit(const MirrorBlock mirror) {
     ivec2 size = reflectionSize(mirror);
     return Column(top, top.x < size.x ? clamp(size.y - top.y, 0, tileEdge) : 0);
 }
+
+#endif

@@ -1,4 +1,8 @@
 // Which pixel an invocation of an indirect dispatch over the list of tiles in the buffer Tiles is for.
+#ifndef TILE_LIST_GLSL
+#define TILE_LIST_GLSL
+
+#include "listed_tiles.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -11,3 +15,5 @@ ivec2 pixelToResolve(const MirrorBlock mirror) {
     ivec2 pixel = unpackedTile(tiles[tileCount(mirror) + n]) * tileEdge + ivec2(gl_LocalInvocationID.xy);
     return all(lessThan(pixel, reflectionSize(mirror))) ? pixel : noPixel;
 }
+
+#endif

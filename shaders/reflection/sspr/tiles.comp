@@ -7,17 +7,9 @@
 
 layout(local_size_x = 64, local_size_y = 1) in;
 
-layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
 #include "list_tile.glsl"
 
 #ifdef OVERHANGS
-layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
-layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
-    uint keys[];
-};
 #include "keys.glsl"
 #include "screen_ray.glsl"
 #include "overhang_taps.glsl"
@@ -28,7 +20,6 @@ layout(set = 0, binding = keysBinding, std430) readonly buffer Keys {
 
 // What hangs over a mirror may reach farther than any keys are near: here and there in a tile.
 bool hangsOver(const MirrorBlock mirror, ivec2 tile) {
-    loadKeyGrid(mirror);
     float pixels = float(tilePixels(mirror));
     for (int i = 0; i < 4; ++i) {
         vec2 q = (vec2(tile) + vec2(0.25) + 0.5 * vec2(i & 1, i >> 1)) * pixels;

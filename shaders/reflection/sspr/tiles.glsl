@@ -1,5 +1,8 @@
 // Tiles of 8 x 8 pixels of the reflection: reflection/sspr/tiles.h.
+#ifndef TILES_GLSL
+#define TILES_GLSL
 
+#include "mirror.glsl"
 #include "tiles_block.h"
 
 int tilesAcross(const MirrorBlock mirror) {
@@ -43,3 +46,5 @@ bool lookedUp(const MirrorBlock mirror, ivec2 tile, uint flags) {
 ivec2 unpackedTile(uint tile) {
     return ivec2(tile & 0xffffu, tile >> 16);
 }
+
+#endif

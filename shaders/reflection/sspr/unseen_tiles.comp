@@ -3,15 +3,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
 #include "reflection_info.glsl"
-#include "tiles.glsl"
+#include "listed_tiles.glsl"
 
 // An invocation takes a column of a tile: a GPU takes longer to begin groups than to store what theirs would be.
 layout(local_size_x = tileEdge * tilesPerColumnGroup, local_size_y = 1) in;
 
-layout(set = 0, binding = tilesBinding, std430) readonly buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
 layout(set = 0, binding = reflectionColorBinding, rgba16f) uniform writeonly image2D reflectionColor;
 layout(set = 0, binding = reflectionInfoBinding, r16f) uniform writeonly image2D reflectionInfo;
 

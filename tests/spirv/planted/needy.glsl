@@ -1,0 +1,4 @@
+// Takes a constant of whoever includes it.
+float halved() {
+    return 0.5 * doubled;
+}
