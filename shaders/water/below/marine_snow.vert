@@ -11,6 +11,7 @@
 
 layout(location = 0) out vec2 within;       // of a circle, which is the unit one in it
 layout(location = 1) flat out vec4 light;   // radiance, how much it hides in the middle
+layout(location = 2) flat out vec3 behind;   // radiance of endless water, for encoded targets
 
 struct Particle {
     vec3 at;
@@ -53,6 +54,7 @@ void main() {
     gl_Position = outOfSight;
     within = vec2(0.0);
     light = vec4(0.0);
+    behind = vec3(0.0);
     if (inViews && isOtherView()) return;
     Particle p = particleAt(uint(gl_VertexIndex) / 3u);
     vec4 pixel = pixelOf(p.at);
@@ -63,7 +65,9 @@ void main() {
     if (hides < 1e-3) return;
     vec3 view = normalize(p.at);
     vec3 radiance = radianceAt(-heightOverCalm(p.at));
-    light = vec4(throughWater(sunAtEye(), radiance, max(calmLevel(), 0.0), view.y, length(p.at)), hides);
+    float depth = max(calmLevel(), 0.0);
+    light = vec4(throughWater(sunAtEye(), radiance, depth, view.y, length(p.at)), hides);
+    if (targetIsEncoded) behind = scatteredIn(sunAtEye(), depth, view.y, pathInWater(view, depth, 1e6));
     vec3 right = normalize(cross(view, abs(view.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
     int corner = gl_VertexIndex % 3;
     within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);

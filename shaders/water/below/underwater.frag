@@ -26,11 +26,6 @@ layout(location = 0) out vec4 outColor;
 #include "waterline.glsl"
 #include "shafts.glsl"
 
-// To what shows of the opaque scene, or where the line of sight leaves calm water, if that is nearer.
-float pathInWater(vec3 start, vec3 view, float depth, float toScene) {
-    return view.y > 0.0 ? min(depth / view.y, toScene) : toScene;
-}
-
 void main() {
     vec2 place = regionPixel(gl_FragCoord.xy);
     vec3 start = onNearPlane(place);
@@ -44,17 +39,17 @@ void main() {
     vec3 toSun = sunAtEye();
     float path = endless ? 1e6 : max(distanceTo(at) - distanceTo(start), 0.0);
     if (ofShafts) {
-        vec3 added = shaftsIn(toSun, start, view, depth, pathInWater(start, view, depth, path));
+        vec3 added = shaftsIn(toSun, start, view, depth, pathInWater(view, depth, path));
         outColor = vec4(added, 0.0);
         if (targetIsEncoded) {   // over no less than what the water shows
-            vec3 least = scatteredIn(toSun, depth, view.y, pathInWater(start, view, depth, path));
+            vec3 least = scatteredIn(toSun, depth, view.y, pathInWater(view, depth, path));
             outColor.rgb = heldOf(least + added, true) - heldOf(least, true);
         }
         return;
     }
     // To the surface, which is drawn over it, or without an end.
     if (endless) {
-        path = pathInWater(start, view, depth, path);
+        path = pathInWater(view, depth, path);
         outColor = vec4(heldOf(scatteredIn(toSun, depth, view.y, path), targetIsEncoded), 1.0);
         return;
     }

@@ -15,6 +15,11 @@ vec3 scatteredIn(vec3 toSun, float depth, float rise, float path) {
     return 2.0 * k * deepWater(toSun) * exp(-k * depth) * path * mean;
 }
 
+// To what shows of the opaque scene, or where the line of sight leaves calm water, if that is nearer.
+float pathInWater(vec3 view, float depth, float toScene) {
+    return view.y > 0.0 ? min(depth / view.y, toScene) : toScene;
+}
+
 vec3 throughWater(vec3 toSun, vec3 radiance, float depth, float rise, float path) {
     return radiance * exp(-extinction() * path) + scatteredIn(toSun, depth, rise, path);
 }

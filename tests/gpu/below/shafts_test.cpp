@@ -6,6 +6,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/encoded_light.h"
 #include "tests/gpu/rig/water_rig.h"
 #include "tests/unit/sea/statistics.h"
 
@@ -260,6 +261,22 @@ TEST_F(MarineSnow, GivesAsMuchLightInCoarsePicturesAsInFineOnes) {
 TEST_F(MarineSnow, IsNoBrighterThanWhatLightsIt) {
     const std::vector<double> more = added(0, 1, along({0.5, 0.2, -1}));
     EXPECT_LT(*std::ranges::max_element(more), 0.5 * (5 * 0.8 + 1) / 3.14159265);
+}
+
+// Blended as displays take colour, it sends nearly as much.
+TEST_F(MarineSnow, SendsAsMuchLightIntoEncodedColor) {
+    const auto sent = [&](Encoding encoding) {
+        useEncoding(encoding);
+        const WaterPicture with = picture({made(0, 1)}, along({0, 0, -1}), 4),
+                           without = picture({made(0, 0)}, along({0, 0, -1}), 4);
+        double sum = 0;
+        for (size_t i = 0; i < with.color.size(); i += 4)
+            sum += lightOf(with.color[i], encoding) - lightOf(without.color[i], encoding);
+        return sum;
+    };
+    const double linear = sent(Encoding::linear), held = sent(Encoding::srgb);
+    std::printf("light of snow in encoded colour is %.3f of that in linear\n", held / linear);
+    EXPECT_NEAR(held / linear, 0.85, 0.25);
 }
 
 TEST_F(InTheWater, WhatIsOffIsNotDrawn) {

@@ -4,6 +4,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
+#include "tests/gpu/rig/encoded_light.h"
 #include "tests/gpu/rig/water_rig.h"
 
 namespace {
@@ -316,16 +317,12 @@ TEST_F(Spray, IsNoCloudRightBeforeTheEye) {
 TEST_F(Spray, SendsAsMuchLightIntoEncodedColor) {
     const auto changeBy = [&](Encoding encoding) {
         useEncoding(encoding);
-        const auto light = [&](float held) {
-            return encoding == Encoding::srgb && held > 0.04045f
-                       ? std::pow((double{held} + 0.055) / 1.055, 2.4)
-                       : double{held} / (encoding == Encoding::srgb ? 12.92 : 1);
-        };
         double sum = 0;
         for (const double time : {5.0, 12.0}) {
             const WaterPicture with = drawn(true, time, camera_), without = drawn(false, time, camera_);
             for (size_t i = 0; i < with.color.size(); i += 4)
-                if (without.covered(i / 4)) sum += light(with.color[i]) - light(without.color[i]);
+                if (without.covered(i / 4))
+                    sum += lightOf(with.color[i], encoding) - lightOf(without.color[i], encoding);
         }
         return sum;
     };
