@@ -53,6 +53,9 @@ class Layout {
     /// Refused unless each binding is there once, of the type that shaders declare.
     Status check(std::span<const Bound> resources) const;
 
+    /// Whether a set of one serves the other: they are identically defined.
+    bool sharesSets(const Layout& other) const { return interface_.bindings == other.interface_.bindings; }
+
     VkDescriptorSetLayout set() const { return set_; }
     VkPipelineLayout pipeline() const { return pipeline_; }
     /// Stages that take push constants.

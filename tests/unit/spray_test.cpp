@@ -113,8 +113,8 @@ TEST(SprayLattice, CoversWhatIsSeen) {
                 continue;
             for (const SprayLevel& level : lattice.levels) {
                 if (level.count() == 0 || glm::length(at) > level.reach) continue;
-                const double u = (camera.eye.x + at.x) / level.cell - static_cast<double>(level.firstU);
-                const double v = (camera.eye.z + at.z) / level.cell - static_cast<double>(level.firstV);
+                const double u = (camera.eye.x + at.x) / level.cell - level.first.x;
+                const double v = (camera.eye.z + at.z) / level.cell - level.first.y;
                 EXPECT_TRUE(u >= 0 && v >= 0 && u <= level.alongU && v <= level.alongV)
                     << place.x << ' ' << place.y;
                 ++seen;

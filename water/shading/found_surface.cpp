@@ -193,12 +193,9 @@ Status FoundSurface::record(Context& context, VkCommandBuffer commands, FoundPas
     own.regionOrigin = {0, 0};
     begin(commands, pass, extentOf(geometry));
     setViewport(device, commands, withoutOrigin(view, geometry), own);
-    const auto draw = [&](const DrawPipeline& pipeline, Instances drawn) {
-        if (drawn.count == 0) return Status::ok;
-        return recordSurface(context, commands, pipeline, mesh, drawn, resources, view.viewIndex);
-    };
-    Status drawn = draw(*uncut, {0, mesh.uncut});
-    if (drawn == Status::ok) drawn = draw(*cut, {mesh.uncut, mesh.instanceCount - mesh.uncut});
+    const InstancesDraw draws[] = {{uncut, {0, mesh.uncut}},
+                                   {cut, {mesh.uncut, mesh.instanceCount - mesh.uncut}}};
+    const Status drawn = recordSurface(context, commands, draws, mesh, resources, view.viewIndex);
     device.vk().CmdEndRenderPass(commands);
     VkImageMemoryBarrier2 after[] = {
         gpu::imageBarrier(beside_.handle(), gpu::drawnColor, gpu::sampledByShaders),

@@ -220,8 +220,9 @@ Status ShadingPart::placeSamples(Body& body, const DrawCall& call, SeenSurface& 
     if (const Status s = bindBody(body, seen.view, seen.block, resources); s != Status::ok) return s;
     bindPicture(context, picture, output, resources);
     setViewport(context.device, call.commands, call.view, seen.view.geometry);
-    return recordSurface(context, call.commands, *pipeline, seen.mesh, {0, seen.mesh.instanceCount},
-                         std::move(resources), call.view.viewIndex);
+    const InstancesDraw all = {pipeline, {0, seen.mesh.instanceCount}};
+    return recordSurface(context, call.commands, {&all, 1}, seen.mesh, std::move(resources),
+                         call.view.viewIndex);
 }
 
 Status ShadingPart::prepareShading(const Body& body, const PrepareCall& call, SurfaceVariant& variant) const {

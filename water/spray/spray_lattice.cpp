@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "water/body/parallel_view.h"
+#include "water/interface/wrapped_cell.h"
 
 namespace seaglass {
 
@@ -47,11 +48,6 @@ std::optional<OutlineBox> seen(const SprayView& view, double reach) {
     return box;
 }
 
-/// As it wraps.
-int32_t wrapped(int64_t cell) {
-    return static_cast<int32_t>(static_cast<uint32_t>(static_cast<uint64_t>(cell)));
-}
-
 } // namespace
 
 SprayLattice sprayLattice(const SprayView& view, uint32_t particles) {
@@ -71,8 +67,7 @@ SprayLattice sprayLattice(const SprayView& view, uint32_t particles) {
             std::fill(lattice.levels.begin() + static_cast<ptrdiff_t>(i), lattice.levels.end(), SprayLevel());
             break;
         }
-        level.firstU = static_cast<int64_t>(first.x);
-        level.firstV = static_cast<int64_t>(first.y);
+        level.first = first;
         level.alongU = static_cast<uint32_t>(cells.x);
         level.alongV = static_cast<uint32_t>(cells.y);
         lattice.count += level.count();
@@ -84,10 +79,10 @@ void SprayLattice::fill(const glm::dvec3& eye, SprayBlock& block) const {
     uint32_t first = 0;
     for (size_t i = 0; i < levels.size(); ++i) {
         const SprayLevel& level = levels[i];
-        block.cells[i] = {wrapped(level.firstU), wrapped(level.firstV),
+        block.cells[i] = {wrappedCell(level.first.x), wrappedCell(level.first.y),
                           static_cast<int32_t>(std::max(level.alongU, 1u)), static_cast<int32_t>(first)};
-        block.places[i] = {static_cast<double>(level.firstU) * level.cell - eye.x,
-                           static_cast<double>(level.firstV) * level.cell - eye.z, level.cell, level.reach};
+        block.places[i] = {level.first.x * level.cell - eye.x, level.first.y * level.cell - eye.z, level.cell,
+                           level.reach};
         first += level.count();
     }
 }

@@ -14,7 +14,7 @@ namespace seaglass {
 constexpr double finestSprayCell = 0.35; ///< [m]
 
 struct SprayLevel {
-    int64_t firstU = 0, firstV = 0; ///< cell, of the plane
+    glm::dvec2 first{0}; ///< cell, of the plane: (u, v), whole numbers
     uint32_t alongU = 0, alongV = 0;
     double cell = 0;  ///< [m]
     double reach = 0; ///< how far from the eye it is seen [m]

@@ -29,19 +29,25 @@ Status buildMeshPipeline(const gpu::Device& device, const TargetDesc& target,
                               what, out);
 }
 
-Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
-                     const PlacedMesh& mesh, Instances drawn, std::vector<gpu::Bound> resources,
-                     uint32_t viewIndex) {
+Status recordSurface(Context& context, VkCommandBuffer commands, std::span<const InstancesDraw> draws,
+                     const PlacedMesh& mesh, std::vector<gpu::Bound> resources, uint32_t viewIndex) {
     resources.push_back({meshBinding, mesh.patches});
     resources.push_back({extentBinding, mesh.extent});
-    VkDescriptorSet set = VK_NULL_HANDLE;
-    if (const Status s = context.frame().allocateSet(pipeline.layout, resources, set); s != Status::ok)
-        return s;
     const gpu::PassScope pass(context.device, commands, "surface");
     const gpu::DeviceTable& vk = context.device.vk();
-    bindDraw(context.device, commands, pipeline, set, viewIndex);
     vk.CmdBindIndexBuffer(commands, mesh.indices, 0, mesh.indexType);
-    vk.CmdDrawIndexed(commands, mesh.indexCount, drawn.count, mesh.firstIndex, 0, drawn.first);
+    const gpu::Layout* filled = nullptr;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    for (const auto& [pipeline, drawn] : draws) {
+        if (drawn.count == 0) continue;
+        if (!filled || !filled->sharesSets(pipeline->layout)) {
+            filled = &pipeline->layout;
+            if (const Status s = context.frame().allocateSet(*filled, resources, set); s != Status::ok)
+                return s;
+        }
+        bindDraw(context.device, commands, *pipeline, set, viewIndex);
+        vk.CmdDrawIndexed(commands, mesh.indexCount, drawn.count, mesh.firstIndex, 0, drawn.first);
+    }
     return Status::ok;
 }
 

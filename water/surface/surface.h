@@ -48,9 +48,13 @@ struct Instances {
     uint32_t first = 0, count = 0;
 };
 
+struct InstancesDraw {
+    const DrawPipeline* pipeline = nullptr;
+    Instances drawn;
+};
+
 /// `resources`: all that some pipeline's shaders read, but for the mesh.
-Status recordSurface(Context& context, VkCommandBuffer commands, const DrawPipeline& pipeline,
-                     const PlacedMesh& mesh, Instances drawn, std::vector<gpu::Bound> resources,
-                     uint32_t viewIndex);
+Status recordSurface(Context& context, VkCommandBuffer commands, std::span<const InstancesDraw> draws,
+                     const PlacedMesh& mesh, std::vector<gpu::Bound> resources, uint32_t viewIndex);
 
 } // namespace seaglass

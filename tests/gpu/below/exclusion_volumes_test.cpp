@@ -147,6 +147,26 @@ TEST_F(ExclusionVolumes, CostNothingWhereThereAreNone) {
     EXPECT_EQ(constant(), ~0u); // the first again
 }
 
+// What they cut is a draw of its own, which reads what the other does.
+TEST_F(ExclusionVolumes, TakeNoSetOfTheirOwn) {
+    struct Calls {
+        size_t draws, sets;
+    };
+    Body* const body = makeBody(desc_);
+    const auto calls = [&] {
+        picture({body}, camera_);
+        spiedCalls().clear();
+        picture({body}, camera_);
+        return Calls{countSpied("CmdDrawIndexed"), countSpied("AllocateDescriptorSets")};
+    };
+    const Calls without = calls();
+    const ExclusionVolume volume = box(0, 0, 1, 1);
+    ASSERT_EQ(setExclusionVolumes(body, &volume, 1), Status::ok) << message();
+    const Calls with = calls();
+    EXPECT_EQ(with.draws, without.draws + 1);
+    EXPECT_EQ(with.sets, without.sets);
+}
+
 TEST_F(ExclusionVolumes, BadOnesAreNamed) {
     Body* const body = makeBody(desc_);
     const auto expectRefused = [&](const ExclusionVolume& volume) {

@@ -196,6 +196,7 @@ PFN_vkVoidFunction VKAPI_CALL spiedGetDeviceProcAddr(VkDevice device, const char
 #undef PRETEND
 #define SPY(function)                                                                                        \
     if (!std::strcmp(name, "vk" #function)) return spyOn<&vk##function>(#function, vk##function);
+    SPY(AllocateDescriptorSets)
     SPY(CmdBlitImage)
     SPY(CmdClearColorImage)
     SPY(CmdCopyBuffer)
