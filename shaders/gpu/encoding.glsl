@@ -2,6 +2,7 @@
 #ifndef ENCODING_GLSL
 #define ENCODING_GLSL
 
+const float mostOfHalf = 65504.0;
 const float mostHeld = 60000.0;   // near what halves hold, with room for what is added
 
 // What is not finite is none, so that nothing is made of it. Told by its bits, as drivers compare NaN as they like.

@@ -4,6 +4,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "mirror.glsl"
+#include "encoding.glsl"
 #include "temporal_block.h"
 #include "reflection_info.glsl"
 #include "tiles.glsl"
@@ -25,7 +26,6 @@ const float surely = 0.9;             // the same, to stand alone: what is known
 const float leastConfidence = 1.0 / 32.0;
 const float stillTexel = 1.0 / 128.0;
 const float farAway = 1e5;
-const float mostFinite = 65504.0;     // of halves
 // How far two distances of one thing may be apart.
 const float unlike = 0.1;
 const float unlikeMetres = 0.05;
@@ -36,7 +36,7 @@ ivec2 lastPixel(const MirrorBlock mirror) {
 }
 
 bool isFinite(vec4 value) {
-    return all(lessThanEqual(abs(value), vec4(mostFinite)));
+    return all(lessThanEqual(abs(value), vec4(mostOfHalf)));
 }
 
 struct Pixel {
@@ -70,12 +70,12 @@ Row rowAt(const MirrorBlock mirror, ivec2 pixel, vec3 infos) {
     vec3 least = mix(vec3(farAway), infos, hits);
     vec3 most = mix(vec3(0.0), infos, hits);
     vec2 distances = vec2(min(least.x, min(least.y, least.z)), max(most.x, max(most.y, most.z)));
-    Row row = Row(Pixel(vec4(0.0), infos.y), Around(vec4(sky ? 0.0 : mostFinite), vec4(0.0), distances, sky));
+    Row row = Row(Pixel(vec4(0.0), infos.y), Around(vec4(sky ? 0.0 : mostOfHalf), vec4(0.0), distances, sky));
     for (int i = 0; i < 3; ++i) {
         vec4 color = texelFetch(foundColor, clamp(pixel + ivec2(i - 1, 0), ivec2(0), lastPixel(mirror)), 0);
         if (i == 1) row.middle.color = color;
         bool counts = hits[i] && isFinite(color);
-        row.around.least = min(row.around.least, counts ? color : vec4(mostFinite));
+        row.around.least = min(row.around.least, counts ? color : vec4(mostOfHalf));
         row.around.most = max(row.around.most, counts ? color : vec4(0.0));
     }
     return row;

@@ -11,7 +11,7 @@ float rise(vec2 pixel) {
 }
 
 void main() {
-    if (inViews && isOtherView()) {
+    if (isOtherView()) {
         gl_Position = outOfSight;
         return;
     }

@@ -2,8 +2,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
-#include "constant.glsl"
-#include "body_constants.h"
+#include "body_constants.glsl"
 #include "encoding.glsl"
 
 layout(location = 0) in vec2 within;

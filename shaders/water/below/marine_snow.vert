@@ -4,6 +4,7 @@
 #include "one_view.glsl"
 #include "body.glsl"
 #include "optics.glsl"
+#include "around_circle.glsl"
 #include "turns.glsl"
 #include "hash.glsl"
 #include "water_light.glsl"
@@ -55,7 +56,7 @@ void main() {
     within = vec2(0.0);
     light = vec4(0.0);
     behind = vec3(0.0);
-    if (inViews && isOtherView()) return;
+    if (isOtherView()) return;
     Particle p = particleAt(uint(gl_VertexIndex) / 3u);
     vec4 pixel = pixelOf(p.at);
     if (p.shown <= 0.0 || pixel.w <= 0.0) return;
@@ -69,7 +70,6 @@ void main() {
     light = vec4(throughWater(sunAtEye(), radiance, depth, view.y, length(p.at)), hides);
     if (targetIsEncoded) behind = scatteredIn(sunAtEye(), depth, view.y, pathInWater(view, depth, 1e6));
     vec3 right = normalize(cross(view, abs(view.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
-    int corner = gl_VertexIndex % 3;
-    within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
+    within = aroundCircle(gl_VertexIndex % 3);
     gl_Position = clipOf(p.at + radius * (within.x * right + within.y * cross(right, view)));
 }

@@ -1,12 +1,10 @@
 // One triangle over the whole view.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-#include "constant.glsl"
-#include "body_constants.h"
 #include "one_view.glsl"
 
 void main() {
-    if (inViews && isOtherView()) {
+    if (isOtherView()) {
         gl_Position = outOfSight;
         return;
     }

@@ -2,8 +2,7 @@
 #ifndef BODY_GLSL
 #define BODY_GLSL
 
-#include "constant.glsl"
-#include "body_constants.h"
+#include "body_constants.glsl"
 #include "water_bindings.h"
 #include "body_block.h"
 

@@ -3,6 +3,7 @@
 #define ONE_VIEW_GLSL
 
 #extension GL_EXT_multiview : require
+#include "body_constants.glsl"
 #include "one_view_block.h"
 
 layout(push_constant) uniform Pushed {
@@ -10,7 +11,7 @@ layout(push_constant) uniform Pushed {
 };
 
 bool isOtherView() {
-    return gl_ViewIndex != int(pushed.drawnView);
+    return inViews && gl_ViewIndex != int(pushed.drawnView);
 }
 
 // Beyond the far plane, whichever that is.

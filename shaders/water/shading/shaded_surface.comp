@@ -138,10 +138,9 @@ void main() {
     vec4 made;
     if (shadingStep == stepBed || shadingStep == stepMirror) made = stepAlone(s, turn);
     else made = shaded(s, turn);
-    const float most = 65504.0;   // that a half holds
     at = ivec2(s.pixel);   // kept no more than once meanwhile
     if (!isListed || !found.shows) return;
     if (shadingStep == stepMirror) keepMirrored(at, made);
-    else if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(most)));
+    else if (surfaceOutput == outputShaded) imageStore(shadedColor, at, min(made, vec4(mostOfHalf)));
     else imageStore(shadedOutput, at, made);
 }

@@ -9,6 +9,7 @@
 #include "spray_block.h"
 #include "foam_fading.h"
 #include "optics.glsl"
+#include "around_circle.glsl"
 #include "in_world.glsl"
 #include "wave_maps.glsl"
 
@@ -121,7 +122,7 @@ void hide() {
 
 void main() {
     hide();
-    if (inViews && isOtherView()) return;
+    if (isOtherView()) return;
     Particle p = particleAt(uint(gl_VertexIndex) / 3u);
     if (p.shown <= 0.0) return;
     uint draws = p.seed;
@@ -162,7 +163,6 @@ void main() {
     light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 0.35));
     texture_ = vec4(longHalf, shortHalf, pixel, flight.ragged);
     seed = draws;
-    int corner = gl_VertexIndex % 3;
-    within = corner == 0 ? vec2(-1.7320508, -1.0) : corner == 1 ? vec2(1.7320508, -1.0) : vec2(0.0, 2.0);
-    gl_Position = water.clipFromRelative * vec4(position + within.x * longHalf * along + within.y * shortHalf * across, 1.0);
+    within = aroundCircle(gl_VertexIndex % 3);
+    gl_Position = clipOf(position + within.x * longHalf * along + within.y * shortHalf * across);
 }

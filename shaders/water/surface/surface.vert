@@ -61,7 +61,7 @@ vec3 lastDisplacementOf(Vertex vertex) {
 }
 
 void main() {
-    if (inViews && isOtherView()) {
+    if (isOtherView()) {
         gl_Position = outOfSight;
         return;
     }

@@ -91,7 +91,7 @@ vec4 shaded(SurfacePoint s, inout uint turn) {
 vec4 stepAlone(SurfacePoint s, inout uint turn) {
     vec3 toEye = toEyeFrom(s);
     s.air = airBefore(s.pixel, s.position, s.overPlane);
-    if (shadingStep == stepMirror) return min(mirroredAndEntering(s, toEye, turn), vec4(65504.0));
+    if (shadingStep == stepMirror) return min(mirroredAndEntering(s, toEye, turn), vec4(mostOfHalf));
     return heldThrough(throughSurface(s, normalOf(s.slope), toEye, turn));
 }
 

@@ -69,7 +69,7 @@ Through throughSurface(const SurfacePoint s, vec3 normal, vec3 toEye, inout uint
 
 // As a kernel before left it, where the surface's colour will be. A half holds the way through all water that is not endless.
 vec4 heldThrough(Through through) {
-    return min(vec4(through.radiance, through.path), vec4(65504.0));
+    return min(vec4(through.radiance, through.path), vec4(mostOfHalf));
 }
 
 Through throughBefore(const SurfacePoint s) {

@@ -6,7 +6,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
-#include "tests/gpu/rig/encoded_light.h"
+#include "tests/gpu/light/encoded_light.h"
 #include "tests/gpu/rig/water_rig.h"
 #include "tests/unit/sea/statistics.h"
 
@@ -267,12 +267,8 @@ TEST_F(MarineSnow, IsNoBrighterThanWhatLightsIt) {
 TEST_F(MarineSnow, SendsAsMuchLightIntoEncodedColor) {
     const auto sent = [&](Encoding encoding) {
         useEncoding(encoding);
-        const WaterPicture with = picture({made(0, 1)}, along({0, 0, -1}), 4),
-                           without = picture({made(0, 0)}, along({0, 0, -1}), 4);
-        double sum = 0;
-        for (size_t i = 0; i < with.color.size(); i += 4)
-            sum += lightOf(with.color[i], encoding) - lightOf(without.color[i], encoding);
-        return sum;
+        const Camera camera = along({0, 0, -1});
+        return lightAdded(picture({made(0, 1)}, camera, 4), picture({made(0, 0)}, camera, 4), encoding);
     };
     const double linear = sent(Encoding::linear), held = sent(Encoding::srgb);
     std::printf("light of snow in encoded colour is %.3f of that in linear\n", held / linear);

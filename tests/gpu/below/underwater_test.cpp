@@ -5,7 +5,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
-#include "tests/gpu/rig/encoded_light.h"
+#include "tests/gpu/light/encoded_light.h"
 #include "tests/gpu/rig/fresnel.h"
 #include "tests/gpu/rig/near_plane.h"
 #include "tests/gpu/rig/water_rig.h"
@@ -346,18 +346,22 @@ TEST_F(Underwater, TheWaterlineIsWhereTheNearPlaneLeavesTheSurface) {
     }
 }
 
-TEST_F(Underwater, TheWaterlineIsAsWideAboveTheSurfaceAsBelow) {
-    // So steeply up that Snell's window is before the lens.
-    Camera camera = level(-0.37);
-    camera.target = {3, 40, -10};
-    camera.near = 0.4;
-    camera.fovDegrees = 36;
-    const auto drawn = [&](float meniscus) {
+class Waterline : public Underwater {
+  protected:
+    /// So steeply up that Snell's window is before the lens.
+    WaterPicture drawn(float meniscus) {
+        Camera camera = level(-0.37);
+        camera.target = {3, 40, -10};
+        camera.near = 0.4;
+        camera.fovDegrees = 36;
         underwater_.meniscus = meniscus;
         const SceneBehind wall =
             drawnOver(camera, nothingBehind(camera), 3, [](const glm::dvec3&) { return 5.0; });
         return picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, wall);
-    };
+    }
+};
+
+TEST_F(Waterline, IsAsWideAboveTheSurfaceAsBelow) {
     const WaterPicture without = drawn(0), with = drawn(0.04f);
     size_t wet = 0, dry = 0;
     for (size_t i = 0; i < with.depth.size(); ++i)
@@ -368,26 +372,12 @@ TEST_F(Underwater, TheWaterlineIsAsWideAboveTheSurfaceAsBelow) {
     EXPECT_NEAR(static_cast<double>(wet), static_cast<double>(dry), 0.1 * static_cast<double>(wet));
 }
 
-// Blended as displays take colour, the line takes nearly as much from what shows through it.
-TEST_F(Underwater, TheWaterlineDimsEncodedColorAsMuch) {
-    Camera camera = level(-0.37);
-    camera.target = {3, 40, -10};
-    camera.near = 0.4;
-    camera.fovDegrees = 36;
+// Blended as displays take colour, it takes nearly as much from what shows through it.
+TEST_F(Waterline, DimsEncodedColorAsMuch) {
     const auto taken = [&](Encoding encoding) {
         useEncoding(encoding);
-        const auto drawn = [&](float meniscus) {
-            underwater_.meniscus = meniscus;
-            const SceneBehind wall =
-                drawnOver(camera, nothingBehind(camera), 3, [](const glm::dvec3&) { return 5.0; });
-            return picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, wall);
-        };
-        const WaterPicture without = drawn(0), with = drawn(0.04f);
-        double sum = 0;
-        for (size_t i = 0; i < with.color.size(); i += 4)
-            if (without.color[i] > 0)
-                sum += lightOf(without.color[i], encoding) - lightOf(with.color[i], encoding);
-        return sum;
+        const WaterPicture without = drawn(0);
+        return lightAdded(without, drawn(0.04f), encoding);
     };
     const double linear = taken(Encoding::linear), held = taken(Encoding::srgb);
     std::printf("in encoded colour the line takes %.3f of the light that it does in linear\n", held / linear);

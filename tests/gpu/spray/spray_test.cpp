@@ -4,7 +4,7 @@
 
 #include "seaglass/waves_fftw.h"
 #include "tests/gpu/host/spy.h"
-#include "tests/gpu/rig/encoded_light.h"
+#include "tests/gpu/light/encoded_light.h"
 #include "tests/gpu/rig/water_rig.h"
 
 namespace {
@@ -318,12 +318,8 @@ TEST_F(Spray, SendsAsMuchLightIntoEncodedColor) {
     const auto changeBy = [&](Encoding encoding) {
         useEncoding(encoding);
         double sum = 0;
-        for (const double time : {5.0, 12.0}) {
-            const WaterPicture with = drawn(true, time, camera_), without = drawn(false, time, camera_);
-            for (size_t i = 0; i < with.color.size(); i += 4)
-                if (without.covered(i / 4))
-                    sum += lightOf(with.color[i], encoding) - lightOf(without.color[i], encoding);
-        }
+        for (const double time : {5.0, 12.0})
+            sum += lightAdded(drawn(true, time, camera_), drawn(false, time, camera_), encoding);
         return sum;
     };
     const double linear = changeBy(Encoding::linear), held = changeBy(Encoding::srgb);
