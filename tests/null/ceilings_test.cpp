@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tests/gpu/rig/surface_constant.h"
 #include "tests/null/compiles.h"
 
 namespace tests {
@@ -15,15 +16,15 @@ using seaglass::Quality;
 struct Ceiling {
     const char* shader;
     uint64_t registers;
-    const char* constants = nullptr; ///< of this pipeline alone: their digits
+    const char* with = nullptr; ///< a constant that must be set: before those without
 };
 
 constexpr Ceiling kernels[] = {
     {"blur.comp", 32},
-    {"caustics_blur.comp", 32, "000"},
-    {"caustics_blur.comp", 48, "001"},
-    {"caustics_cast.comp", 40, "000"},
-    {"caustics_cast.comp", 64, "010"},
+    {"caustics_blur.comp", 48, "hasSunShadow"},
+    {"caustics_blur.comp", 32},
+    {"caustics_cast.comp", 64, "hasShore"},
+    {"caustics_cast.comp", 40},
     {"caustics_gather.comp", 16},
     {"cells.comp", 32},
     {"completed_surface.comp", 32},
@@ -89,9 +90,8 @@ class Ceilings : public Compiles {
 };
 
 bool isOf(const Ceiling& ceiling, const CompiledStage& stage) {
-    std::string digits;
-    for (const uint32_t constant : stage.constants) digits += std::to_string(constant);
-    return ceiling.shader == stage.shader && (!ceiling.constants || ceiling.constants == digits);
+    return ceiling.shader == stage.shader &&
+           (!ceiling.with || stage.constants.at(surfaceConstant(ceiling.with)) != 0);
 }
 
 /// That no register of lanes is spilled to memory either.
