@@ -44,7 +44,7 @@ TEST_F(Compiles, EverythingDrawn) {
             for (const bool shore : {false, true})
                 if (pass != ViewPass::caustics)
                     expectCompiled(water_->overView(
-                        {.pass = pass, .straddles = true, .hasWaves = true, .hasShore = shore}, multiview));
+                        {.pass = pass, .hasWaves = true, .hasShore = shore, .straddles = true}, multiview));
         }
     for (const bool all : {false, true})
         for (const bool multiview : {false, true})

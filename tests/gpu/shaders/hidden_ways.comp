@@ -4,7 +4,10 @@
 
 #include "mirror_block.h"
 
-// In place of the mirror's and the march's, of a picture in which a wall is nearer than the ray.
+// In place of the mirror's and the march's, whose files stay out: of a picture in which a wall is nearer than the ray.
+#define SCENE_DEPTH_GLSL
+#define SCREEN_RAY_GLSL
+#define OVERHANG_TAPS_GLSL
 const int firstTap = 8;
 const int mostOverhangSamples = 4;
 struct ScreenRay {

@@ -4,6 +4,8 @@
 
 #include "mirror_block.h"
 
+// In place of mirror.glsl's.
+#define MIRROR_GLSL
 ivec2 reflectionSize(const MirrorBlock mirror) {
     return ivec2(64);
 }

@@ -4,7 +4,8 @@
 
 #include "mirror_block.h"
 
-// In place of the march's own, of a row of pixels with sky to the left of a wall, which is thin.
+// In place of the march's own, whose file stays out: of a row of pixels with sky to the left of a wall, which is thin.
+#define MARCH_GLSL
 const float pixels = 200.0;
 const float thickness = 0.01;
 struct Settings {

@@ -4,6 +4,8 @@
 
 // In place of mirror.glsl's, of any mirror.
 #include "mirror_block.h"
+#define MIRROR_GLSL
+const int tilesBinding = 0;
 const ivec2 size = ivec2(80, 44);
 
 ivec2 reflectionSize(const MirrorBlock mirror) {
@@ -14,10 +16,6 @@ bool lookupsStray(const MirrorBlock mirror) {
 }
 #include "tiles.glsl"
 
-layout(set = 0, binding = 0, std430) buffer Tiles {
-    TileHeader header;
-    uint tiles[];
-};
 layout(set = 0, binding = 1, std430) buffer Visits {
     uint visited[];   // of each pixel how often; then those elsewhere
 };
