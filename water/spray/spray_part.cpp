@@ -11,6 +11,7 @@
 #include "water/body/parallel_view.h"
 #include "water/body/target.h"
 #include "water/foam/foam_fading.h"
+#include "water/foam/foam_part.h"
 #include "water/interface/fields/water.h"
 #include "water/light/lighting.h"
 #include "water/spray/spume.h"
@@ -79,12 +80,21 @@ SprayLattice SprayPart::lattice(const Body& body, const BodyView& view) const {
                         particles);
 }
 
-SprayBlock SprayPart::block(const BodyView& view, const SprayLattice& lattice) const {
+glm::dvec2 SprayPart::placeInAir(const glm::dvec3& eye, double time) const {
+    const double speed = glm::length(blows);
+    const glm::dvec2 downwind = blows / speed, at(eye.x, eye.z);
+    return {std::fmod(glm::dot(at, downwind) - speed * time, double{sprayAirStretch} * sprayAirRepeat),
+            std::fmod(glm::dot(at, glm::dvec2(-downwind.y, downwind.x)), sprayAirRepeat)};
+}
+
+SprayBlock SprayPart::block(const BodyView& view, const SprayLattice& lattice, double time) const {
     SprayBlock block{};
     lattice.fill(view.geometry.eye, block);
+    const glm::dvec2 inAir = placeInAir(view.geometry.eye, time);
     block.wind = {blows.x, blows.y, life, crestsRun};
     block.foam = {fading, 1 / foamStepsPerSecond, floor, most};
-    block.form = {opticalDepth * torn * static_cast<double>(desc.density), desc.shutterTime, 0, 0};
+    block.form = {opticalDepth * torn * static_cast<double>(desc.density), desc.shutterTime, inAir.x,
+                  inAir.y};
     return block;
 }
 
@@ -108,7 +118,10 @@ Status SprayPart::draw(Body& body, const DrawCall& call, DrawMoment moment) cons
     Resources resources;
     if (const Status s = bindBody(body, view, drawn, resources); s != Status::ok) return s;
     gpu::Slice slice;
-    if (const Status s = body.context->frame().upload(block(view, seen), slice); s != Status::ok) return s;
+    if (const Status s =
+            body.context->frame().upload(block(view, seen, body.find<FoamPart>()->foam.time()), slice);
+        s != Status::ok)
+        return s;
     resources.push_back({sprayBinding, gpu::uniformBuffer(slice)});
     return recordSpray(*body.context, call, view, variant(body, call.lighting), seen.count, resources);
 }

@@ -30,7 +30,9 @@ struct SprayPart {
   private:
     SprayVariant variant(const Body& body, const LightingDesc& lighting) const;
     SprayLattice lattice(const Body& body, const BodyView& view) const;
-    SprayBlock block(const BodyView& view, const SprayLattice& lattice) const;
+    /// Of the eye, downwind and across [m].
+    glm::dvec2 placeInAir(const glm::dvec3& eye, double time) const;
+    SprayBlock block(const BodyView& view, const SprayLattice& lattice, double time) const;
 };
 
 } // namespace seaglass

@@ -20,8 +20,8 @@ layout(set = 0, binding = foamHistoryBinding) uniform sampler2DArray foamHistory
 
 layout(location = 0) out vec2 within;            // of an ellipse, which is the unit circle in it
 layout(location = 1) flat out vec4 light;        // radiance, optical depth in the middle
-layout(location = 2) flat out vec4 texture_;     // half axes [m], finest wave of it that shows [m], how ragged
-layout(location = 3) flat out uint seed;
+layout(location = 2) flat out vec2 texture_;     // finest wave of it that shows [m], how ragged
+layout(location = 3) out vec3 inAir;             // place in the air that blows past [m], downwind less its stretch
 
 const float densest = 0.03;   // a cloud's optical depth
 
@@ -113,11 +113,18 @@ vec3 scattered(vec3 position) {
     return lightBy(turned * seen, 0.75 / pi);
 }
 
+vec3 placeInAir(vec3 at) {
+    vec2 downwind = normalize(spray.wind.xy);
+    float along = dot(at.xz, downwind) + spray.form.z, across = dot(at.xz, vec2(-downwind.y, downwind.x)) + spray.form.w;
+    return vec3(along / sprayAirStretch, across, at.y - calmLevel());
+}
+
 void hide() {
     gl_Position = outOfSight;
     within = vec2(0.0);
-    light = texture_ = vec4(0.0);
-    seed = 0u;
+    light = vec4(0.0);
+    texture_ = vec2(0.0);
+    inAir = vec3(0.0);
 }
 
 void main() {
@@ -161,8 +168,9 @@ void main() {
     vec4 air = airBefore(pixelHere.xy, position, overPlane);
     vec3 radiance = scattered(position);
     light = vec4(hasFog ? mix(air.rgb, radiance, air.a) : radiance, min(depth, 0.35));
-    texture_ = vec4(longHalf, shortHalf, pixel, flight.ragged);
-    seed = draws;
+    texture_ = vec2(pixel, flight.ragged);
     within = aroundCircle(gl_VertexIndex % 3);
-    gl_Position = clipOf(position + within.x * longHalf * along + within.y * shortHalf * across);
+    vec3 at = position + within.x * longHalf * along + within.y * shortHalf * across;
+    inAir = placeInAir(at);
+    gl_Position = clipOf(at);
 }
