@@ -314,6 +314,27 @@ TEST_F(Spray, IsTornWhereCloudsOverlap) {
     EXPECT_GT(sum, 0.32); // 0.340 today, 0.293 where each cloud has its own noise
 }
 
+// Eddies flow on where their pattern begins again: at 18 m/s every 170.67 s.
+TEST_F(Spray, FlowsOnWhereEddiesRepeat) {
+    Body* const body = makeBody(described());
+    Camera camera = camera_;
+    camera.eye.x = 777;
+    camera.target.x = 787;
+    // Wind blows along x.
+    const double wraps = (777 + 3 * 3072) / 18.0;
+    const auto changeAround = [&](double time) {
+        const WaterPicture before = picture({body}, camera, time - 0.002);
+        const WaterPicture after = picture({body}, camera, time + 0.002);
+        double sum = 0;
+        for (size_t i = 0; i < before.color.size(); i += 4)
+            sum += std::abs(double{after.color[i]} - double{before.color[i]});
+        return sum;
+    };
+    const double usual = changeAround(wraps - 0.01), there = changeAround(wraps);
+    std::printf("changes by %.4f, where the pattern begins again by %.4f\n", usual, there);
+    EXPECT_LT(there, 1.3 * usual);
+}
+
 // A cloud right before the eye would hide half of the picture. Elsewhere a metre of the way holds about as
 // much as another.
 TEST_F(Spray, IsNoCloudRightBeforeTheEye) {
