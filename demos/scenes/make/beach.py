@@ -37,7 +37,8 @@ def height(x, z):
     inland = np.maximum(-seaward, 0)
     berm = 14 * SLOPE * (1 - np.exp(-inland / 14))
     dunes = land.smooth(17, 42, inland) * (2.6 + 1.5 * land.waves(x, z, 11, 26.0, 3))
-    hummocks = 0.05 * land.smooth(4, 12, inland) * land.waves(x, z, 12, 3.2, 3)
+    # Only where swash never comes: what it reaches it smooths.
+    hummocks = 0.05 * land.smooth(16, 26, inland) * land.waves(x, z, 12, 3.2, 3)
     heads = land.smooth(65, 130, np.abs(x)) * land.smooth(12, 50, inland) * (13 + 7 * land.waves(x, z, 13, 70.0, 4))
     return deep + bar * (seaward > 0) + berm + dunes + hummocks + heads
 
