@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -105,6 +106,30 @@ TEST(SceneGround, TheIslandHasNoGaps) {
     addGround("shore_bed.glb", edges);
     EXPECT_GT(edges.size(), 40000u);
     EXPECT_EQ(cracks(edges, {-309, -229}, {309, 269}), 0u);
+}
+
+// Swash leaves sand smooth. Where it stops on hummocks the border of the wet sand is jagged, and a hollow of
+// the dunes gets wet.
+TEST(SceneGround, SwashLiesOnSmoothSand) {
+    demos::Error error;
+    const std::optional<demos::Mesh> mesh =
+        demos::readMesh(std::filesystem::path(SEAGLASS_SCENES) / "shore_bed.glb", error);
+    ASSERT_TRUE(mesh) << error.text;
+    std::map<float, std::map<float, float>> rows; // heights by z and x
+    for (const auto& vertex : mesh->vertices)
+        if (vertex.position.z > 0 && std::abs(vertex.position.x) < 60)
+            rows[vertex.position.z][vertex.position.x] = vertex.position.y;
+    double roughest = 0, lowest = 1e9;
+    for (const auto& [z, row] : rows)
+        for (auto here = std::next(row.begin()); std::next(here) != row.end(); ++here) {
+            const double y{here->second};
+            const double bend = double{std::prev(here)->second} + double{std::next(here)->second} - 2 * y;
+            if (y > 0.2 && y < 0.5) roughest = std::max(roughest, std::abs(bend));
+            if (std::hypot(double{here->first}, double{z} - 20) < 5) lowest = std::min(lowest, y);
+        }
+    std::printf("bends by %.4f m from sample to sample; the middle is %.2f m high\n", roughest, lowest);
+    EXPECT_LT(roughest, 0.03); // 0.138 with hummocks and a hollow
+    EXPECT_GT(lowest, 0.4);
 }
 
 /// Light that comes back from a bed of albedo 0.45 under so much water, in what endless water sends back

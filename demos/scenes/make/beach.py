@@ -19,8 +19,8 @@ def edge(x):
 def offshore(x, z):
     """About how far it is from the island, without its bay: below 0 on it."""
     u, v = x / ACROSS, (z - MIDDLE_Z) / ALONG
-    axes = np.hypot(u, v)
-    return axes * (axes - 1) / np.maximum(np.hypot(u / ACROSS, v / ALONG), 1e-3) + 9 * land.waves(x, z, 14, 90.0, 3)
+    axes = np.maximum(np.hypot(u, v), 1e-6)
+    return axes * (axes - 1) / np.maximum(np.hypot(u / ACROSS, v / ALONG), axes / ACROSS) + 9 * land.waves(x, z, 14, 90.0, 3)
 
 
 def rounded(a, b, within):
