@@ -6,7 +6,7 @@
 #include "body_constants.glsl"
 #include "encoding.glsl"
 #include "spray_block.h"
-#include "spray_hash.glsl"
+#include "hash.glsl"
 
 layout(location = 0) in vec2 within;
 layout(location = 1) flat in vec4 light;
