@@ -16,6 +16,7 @@
 #include "seaglass/glm.h"
 #include "seaglass/record.h"
 #include "seaglass/water.h"
+#include "tests/gpu/host/cube_edges.h"
 #include "tests/gpu/rig/rig.h"
 
 namespace {
@@ -129,6 +130,7 @@ class Renderer {
         demos::Image made;
         demos::Error error;
         EXPECT_TRUE(demos::createImage(device(), desc, made, error)) << error.text;
+        copyEdges(device(), made);
         return made;
     }
 

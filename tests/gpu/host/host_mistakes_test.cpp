@@ -477,6 +477,11 @@ TEST_F(Mistakes, InstancesOfAnEarlierVulkanAreNamedAsTheCause) {
     deviceInfo.pQueueCreateInfos = &queue;
     VkDevice made = VK_NULL_HANDLE;
     ASSERT_EQ(function("vkCreateDevice", vkCreateDevice)(physical, &deviceInfo, nullptr, &made), VK_SUCCESS);
+    if (function("vkGetDeviceProcAddr", vkGetDeviceProcAddr)(made, "vkCmdPipelineBarrier2")) {
+        function("vkDestroyDevice", vkDestroyDevice)(made, nullptr);
+        function("vkDestroyInstance", vkDestroyInstance)(instance, nullptr);
+        GTEST_SKIP() << "the driver gives Vulkan 1.3's calls to an instance of 1.2, so nothing is missing";
+    }
 
     std::string text;
     DeviceDesc desc = deviceDesc(&text);

@@ -11,6 +11,7 @@
 #include "host/scene_again.h"
 #include "host/seaglass_view.h"
 #include "seaglass/record.h"
+#include "tests/gpu/host/cube_edges.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/drawn_view.h"
 #include "tests/gpu/rig/multisampled_scene.h"
@@ -76,6 +77,7 @@ demos::Image uploaded(demos::Device& device, VkFormat format, VkExtent2D extent,
     demos::Image image;
     demos::Error error;
     EXPECT_TRUE(demos::createSampledImage(device, desc, {&level, 1}, image, error)) << error.text;
+    if (cube) copyEdges(device, image);
     return image;
 }
 

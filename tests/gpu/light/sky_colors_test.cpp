@@ -8,6 +8,7 @@
 
 #include "host/passes/sky_image.h"
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/cube_edges.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/water_rig.h"
 #include "water/light/sky_colors.h"
@@ -65,6 +66,7 @@ demos::Image cubeOf(const LightingDesc& light) {
     demos::Image cube;
     demos::Error error;
     EXPECT_TRUE(demos::createSampledImage(device(), desc, bytes, cube, error)) << error.text;
+    copyEdges(device(), cube);
     return cube;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "tests/gpu/host/cube_edges.h"
+
 namespace tests {
 
 namespace {
@@ -34,6 +36,7 @@ demos::Image uniformCube() {
     demos::Image cube;
     demos::Error error;
     EXPECT_TRUE(demos::createSampledImage(device(), desc, {&level, 1}, cube, error)) << error.text;
+    copyEdges(device(), cube);
     return cube;
 }
 

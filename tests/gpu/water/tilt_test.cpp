@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "seaglass/waves_fftw.h"
+#include "tests/gpu/host/cube_edges.h"
 #include "tests/gpu/host/spy.h"
 #include "tests/gpu/rig/drawn_view.h"
 #include "tests/gpu/rig/overlay_target.h"
@@ -65,6 +66,7 @@ demos::Image skyCube(const glm::dmat3& worldFromLevel) {
     demos::Image cube;
     demos::Error error;
     EXPECT_TRUE(demos::createSampledImage(device(), desc, {&level, 1}, cube, error)) << error.text;
+    copyEdges(device(), cube);
     return cube;
 }
 
