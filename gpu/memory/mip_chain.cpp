@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shaders/shared/mip_chain_block.h"
+#include "spirv/mip_chain_rg16f.comp.h"
 #include "spirv/mip_chain_rgba16f.comp.h"
 #include "spirv/mip_chain_rgba32f.comp.h"
 
@@ -90,6 +91,13 @@ struct NarrowMipKernel {
     }
 };
 
+struct TwoChannelMipKernel {
+    MipKernel mips;
+    Status create(Context& context) {
+        return mips.kernel.create(context.device, mip_chain_rg16f_comp, "mips pipeline");
+    }
+};
+
 template<typename Variant>
 Status shareVariant(Context& context, std::shared_ptr<MipKernel>& out) {
     std::shared_ptr<Variant> variant;
@@ -114,7 +122,7 @@ Status recordHalvings(Context& context, VkCommandBuffer commands, const Kernel& 
     uint32_t halved = firstHalvedBinding;
     for (const OwnedImage* image : images)
         for (uint32_t mip = base + 1; mip <= base + halvings; ++mip)
-            resources.push_back({halved++, storageImage(image->mipView(std::min(mip, last)))});
+            resources.push_back({halved++, storageImage(*image, std::min(mip, last))});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel.layout(), resources, set); s != Status::ok)
         return s;
@@ -147,8 +155,14 @@ Status recordKernels(Context& context, VkCommandBuffer commands, const Kernel& k
 
 Status MipChain::create(Context& context, VkFormat format) {
     if (!byKernel(context.device)) return Status::ok;
-    return format == VK_FORMAT_R32G32B32A32_SFLOAT ? shareVariant<WideMipKernel>(context, kernel_)
-                                                   : shareVariant<NarrowMipKernel>(context, kernel_);
+    switch (format) {
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+        return shareVariant<WideMipKernel>(context, kernel_);
+    case VK_FORMAT_R16G16_SFLOAT:
+        return shareVariant<TwoChannelMipKernel>(context, kernel_);
+    default:
+        return shareVariant<NarrowMipKernel>(context, kernel_);
+    }
 }
 
 VkImageUsageFlags MipChain::usage(const Device& device) {

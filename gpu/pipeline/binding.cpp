@@ -67,6 +67,9 @@ Status Layout::check(std::span<const Bound> resources) const {
         if (declared && declared->type != bound.resource.type)
             return device_->misused("%s: binding %u is of descriptor type %d, expected %d", what(),
                                     bound.number, bound.resource.type, declared->type);
+        if (declared && declared->format != VK_FORMAT_UNDEFINED && declared->format != bound.resource.format)
+            return device_->misused("%s: the image of binding %u is of format %d, expected %d", what(),
+                                    bound.number, bound.resource.format, declared->format);
     }
     for (const ShaderBinding& binding : interface_.bindings)
         if (std::ranges::count(resources, binding.number, &Bound::number) != 1)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "gpu/memory/image.h"
 #include "gpu/pipeline/spirv_bindings.h"
 
 namespace seaglass::gpu {
@@ -14,6 +15,7 @@ struct Resource {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     VkDescriptorBufferInfo buffer{};
     VkDescriptorImageInfo image{};
+    VkFormat format = VK_FORMAT_UNDEFINED; ///< of storage images
 };
 
 inline Resource uniformBuffer(VkBuffer buffer, VkDeviceSize offset, VkDeviceSize range) {
@@ -26,8 +28,12 @@ inline Resource sampledImage(VkSampler sampler, VkImageView view,
                              VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL) {
     return {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, {}, {sampler, view, layout}};
 }
-inline Resource storageImage(VkImageView view) {
-    return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, {}, {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}};
+inline Resource storageImage(VkImageView view, VkFormat format) {
+    return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, {}, {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}, format};
+}
+/// One mip.
+inline Resource storageImage(const OwnedImage& image, uint32_t mip = 0) {
+    return storageImage(image.mipView(mip), image.desc().format);
 }
 
 /// A resource and the number that shaders know it by.
@@ -50,7 +56,8 @@ class Layout {
 
     /// Whether a shader declares this binding.
     bool has(uint32_t number) const { return find(number) != nullptr; }
-    /// Refused unless each binding is there once, of the type that shaders declare.
+    /// Refused unless each binding is there once, of the type that shaders declare. What is stored to an
+    /// image whose format is not that of its declaration is undefined.
     Status check(std::span<const Bound> resources) const;
 
     /// Whether a set of one serves the other: they are identically defined.

@@ -42,6 +42,24 @@ VkDescriptorType descriptorOf(Instruction type, uint32_t storageClass) {
     return VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
 
+/// Of a storage image: by the numbers of the SPIR-V specification, 3.11.
+VkFormat formatOf(Instruction type) {
+    switch (type[8]) {
+    case 1:
+        return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case 2:
+        return VK_FORMAT_R16G16B16A16_SFLOAT;
+    case 3:
+        return VK_FORMAT_R32_SFLOAT;
+    case 7:
+        return VK_FORMAT_R16G16_SFLOAT;
+    case 9:
+        return VK_FORMAT_R16_SFLOAT;
+    default:
+        return VK_FORMAT_UNDEFINED;
+    }
+}
+
 /// What one module declares ahead of its functions.
 struct Declarations {
     VkShaderStageFlags stage = 0;
@@ -64,11 +82,12 @@ Declarations declarationsOf(std::span<const uint32_t> module) {
     return out;
 }
 
-/// False where it is there with another type.
+/// False where it is there with another type or format.
 bool add(const ShaderBinding& binding, std::map<uint32_t, ShaderBinding>& all) {
     ShaderBinding& known = all.try_emplace(binding.number, binding).first->second;
     known.stages |= binding.stages;
-    return known.type == binding.type && binding.type != VK_DESCRIPTOR_TYPE_MAX_ENUM;
+    return known.type == binding.type && known.format == binding.format &&
+           binding.type != VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
 
 } // namespace
@@ -87,7 +106,9 @@ std::optional<ShaderInterface> interfaceOf(std::span<const std::span<const uint3
             const VkDescriptorType descriptor = type == declared.types.end()
                                                     ? VK_DESCRIPTOR_TYPE_MAX_ENUM
                                                     : descriptorOf(type->second, storageClass);
-            if (!add({number->second, descriptor, declared.stage}, all)) return std::nullopt;
+            const VkFormat format =
+                descriptor == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE ? formatOf(type->second) : VK_FORMAT_UNDEFINED;
+            if (!add({number->second, descriptor, declared.stage, format}, all)) return std::nullopt;
         }
     }
     for (const auto& [number, binding] : all) out.bindings.push_back(binding);

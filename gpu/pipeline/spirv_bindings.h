@@ -14,6 +14,7 @@ struct ShaderBinding {
     uint32_t number = 0;
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
     VkShaderStageFlags stages = 0;
+    VkFormat format = VK_FORMAT_UNDEFINED; ///< of storage images, where it is one that the libraries store to
     bool operator==(const ShaderBinding&) const = default;
 };
 

@@ -91,7 +91,7 @@ Status recordFirstSample(Context& context, VkCommandBuffer commands, const gpu::
     std::vector<gpu::Bound> resources = {
         {singleSampleBinding, gpu::uniformBuffer(slice)},
         {samplesBinding, gpu::sampledImage(nearest, image.view, image.layout)},
-        {chosenBinding, gpu::storageImage(to.view())},
+        {chosenBinding, gpu::storageImage(to)},
     };
     if (resolved)
         resources.push_back({resolvedBinding, gpu::sampledImage(nearest, resolved->view, resolved->layout)});

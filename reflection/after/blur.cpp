@@ -29,7 +29,7 @@ Status recordBlur(Context& context, VkCommandBuffer commands, const BlurKernel* 
     for (uint32_t mip = 1; mip < desc.mipLevels; ++mip) {
         const gpu::Bound resources[] = {
             {finerMipBinding, gpu::sampledImage(context.samplers.trilinearClamp(), color.mipView(mip - 1))},
-            {coarserMipBinding, gpu::storageImage(color.mipView(mip))},
+            {coarserMipBinding, gpu::storageImage(color, mip)},
         };
         VkDescriptorSet set = VK_NULL_HANDLE;
         if (const Status s = context.frame().allocateSet(blur->kernel.layout(), resources, set);

@@ -29,8 +29,8 @@ Status recordEdgeReach(const ReflectPass& pass, EdgeReachKernel& reach, const gp
         {settingsBinding, gpu::uniformBuffer(slice)},
         {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
         {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color)},
+        {reflectionInfoBinding, gpu::storageImage(images.info)},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
     const gpu::Kernel* kernel = nullptr;

@@ -43,8 +43,8 @@ Status recordStretch(const ReflectPass& pass, const StretchKernel& stretch, cons
     const gpu::Bound resources[] = {
         {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {settingsBinding, gpu::uniformBuffer(slice)},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color)},
+        {reflectionInfoBinding, gpu::storageImage(images.info)},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(stretch.kernel.layout(), resources, set);

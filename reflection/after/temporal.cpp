@@ -95,8 +95,8 @@ Status recordTemporal(const ReflectPass& pass, const TemporalKernel& temporal, c
         {foundInfoBinding, gpu::sampledImage(nearest, found.info.view())},
         {lastColorBinding, gpu::sampledImage(nearest, last.color.view())},
         {lastInfoBinding, gpu::sampledImage(nearest, last.info.view())},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color)},
+        {reflectionInfoBinding, gpu::storageImage(images.info)},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;

@@ -55,7 +55,7 @@ Status recordOverlay(const ReflectPass& pass, const OverlayKernel& overlay, cons
         {sceneDepthBinding, sceneDepth},
         {reflectionColorBinding, shown ? gpu::sampledImage(nearest, images.color) : sceneDepth},
         {reflectionInfoBinding, shown ? gpu::sampledImage(nearest, images.info) : sceneDepth},
-        {overlayTargetBinding, gpu::storageImage(desc.target.view)},
+        {overlayTargetBinding, gpu::storageImage(desc.target.view, desc.target.format)},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(overlay.kernel.layout(), resources, set);

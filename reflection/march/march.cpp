@@ -60,8 +60,8 @@ Status allocateSet(const ReflectPass& pass, const gpu::Kernel& kernel, const gpu
         {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
         {settingsBinding, gpu::uniformBuffer(settings)},
         {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color)},
+        {reflectionInfoBinding, gpu::storageImage(images.info)},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
         {surfaceNormalsBinding, gpu::sampledImage(nearest, normals.view, normals.layout)},
     };

@@ -153,8 +153,8 @@ Status record(const ReflectPass& pass, PlanarKernels& kernels, PlanarScratch& sc
         {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {settingsBinding, gpu::uniformBuffer(slice)},
         {mirroredDepthBinding, gpu::sampledImage(context.samplers.nearestClamp(), scratch.depth.view())},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color)},
+        {reflectionInfoBinding, gpu::storageImage(images.info)},
         {mirroredColorBinding, gpu::sampledImage(context.samplers.nearestClamp(), scratch.color.view())},
     };
     Image drawn = pass.view.sceneColor;

@@ -50,8 +50,8 @@ Status recordResolve(const ReflectPass& pass, ResolveKernel& resolve, const gpu:
         {sceneDepthBinding, gpu::sampledImage(nearest, depth.view, depth.layout)},
         {keysBinding, gpu::storageBuffer(keys.handle())},
         {sceneColorBinding, gpu::sampledImage(nearest, color.view, color.layout)},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color)},
+        {reflectionInfoBinding, gpu::storageImage(images.info)},
     };
     const gpu::Kernel* kernel = nullptr;
     if (const Status s = resolve.kernel.of(context, color, kernel); s != Status::ok) return s;

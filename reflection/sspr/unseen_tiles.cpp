@@ -49,8 +49,8 @@ Status recordUnseenTiles(const ReflectPass& pass, const UnseenTilesKernel* kerne
     const gpu::Bound resources[] = {
         {mirrorBinding, gpu::uniformBuffer(pass.mirror)},
         {tilesBinding, gpu::storageBuffer(tiles.handle())},
-        {reflectionColorBinding, gpu::storageImage(images.color.firstMipView())},
-        {reflectionInfoBinding, gpu::storageImage(images.info.view())},
+        {reflectionColorBinding, gpu::storageImage(images.color)},
+        {reflectionInfoBinding, gpu::storageImage(images.info)},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel->kernel.layout(), resources, set);

@@ -102,8 +102,8 @@ void Planted::compute(bool violating) {
         const gpu::Bound resources[] = {
             {0, gpu::storageBuffer(words.handle())},
             {1, gpu::sampledImage(made->samplers.nearestClamp(), sampled.view())},
-            {2, gpu::storageImage(stored.view())},
-            {3, gpu::storageImage(counted.view())},
+            {2, gpu::storageImage(stored)},
+            {3, gpu::storageImage(counted)},
         };
         VkDescriptorSet set = VK_NULL_HANDLE;
         if (made->frame().allocateSet(kernel.layout(), resources, set) != Status::ok) return false;

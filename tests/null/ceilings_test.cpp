@@ -34,6 +34,7 @@ constexpr Ceiling kernels[] = {
     {"march_cells_open.comp", 72},
     {"march_strides.comp", 80},
     {"march_strides_open.comp", 80},
+    {"mip_chain_rg16f.comp", 40},
     {"mip_chain_rgba16f.comp", 40},
     {"mip_chain_rgba32f.comp", 32},
     {"miss.comp", 24},

@@ -250,7 +250,7 @@ Status Caustics::recordGather(Context& context, VkCommandBuffer commands, const 
                               const Picture& picture) const {
     const std::vector<gpu::Bound> resources =
         in.with({{causticSumsBinding, gpu::storageBuffer(picture.sums.handle())},
-                 {causticLightBinding, gpu::storageImage(picture.gathered.firstMipView())}});
+                 {causticLightBinding, gpu::storageImage(picture.gathered)}});
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(gather_->kernel.layout(), resources, set);
         s != Status::ok)

@@ -69,7 +69,7 @@ Status ComputedFoam::recordStep(Context& context, VkCommandBuffer commands, cons
         {foamBinding, gpu::uniformBuffer(slice)},
         {displacementMapBinding, gpu::sampledImage(repeat, maps.images[0].view())},
         {derivativeMapBinding, gpu::sampledImage(repeat, maps.images[1].view())},
-        {foamStepsBinding, gpu::storageImage(foam.image.firstMipView())},
+        {foamStepsBinding, gpu::storageImage(foam.image)},
     };
     VkDescriptorSet set = VK_NULL_HANDLE;
     if (const Status s = context.frame().allocateSet(kernel_->kernel.layout(), resources, set);

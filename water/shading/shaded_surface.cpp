@@ -165,8 +165,8 @@ Status ShadedSurface::record(Context& context, VkCommandBuffer commands, const S
     resources.push_back({foundDepthBinding, gpu::sampledImage(nearest, found.depth())});
     resources.push_back({foundAsideBinding, gpu::sampledImage(nearest, found.beside())});
     resources.push_back({foundTilesBinding, gpu::storageBuffer(tiles.handle())});
-    resources.push_back({shadedBinding, gpu::storageImage(color.view())});
-    if (mirrored.handle()) resources.push_back({mirroredBinding, gpu::storageImage(mirrored.view())});
+    resources.push_back({shadedBinding, gpu::storageImage(color)});
+    if (mirrored.handle()) resources.push_back({mirroredBinding, gpu::storageImage(mirrored)});
     const uint32_t count = tileCount(region, kernels.pixelsPerShading);
     if (const Status s = tiles.record(context, commands, *kernels.listing, resources, count); s != Status::ok)
         return s;

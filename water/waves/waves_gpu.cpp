@@ -140,7 +140,7 @@ const gpu::Use& mapsFilled(const gpu::Device& device) {
 
 /// What the rows' kernel stores a map to: the image, or its part of the buffer that is copied.
 gpu::Resource mapResource(const WaveMaps& maps, uint32_t map, const gpu::Buffer& copied) {
-    if (!copied.handle()) return gpu::storageImage(maps.images[map].firstMipView());
+    if (!copied.handle()) return gpu::storageImage(maps.images[map]);
     const VkDeviceSize bytes = copied.size() / waveMapCount;
     return gpu::storageBuffer(copied.handle(), bytes * map, bytes);
 }

@@ -86,7 +86,7 @@ class Sets : public GpuTest {
         return {{7, gpu::storageBuffer(words_.handle())},
                 {1, gpu::uniformBuffer(words_.handle(), 0, 16)},
                 {3, gpu::sampledImage(context()->samplers.nearestClamp(), image_.view())},
-                {4, gpu::storageImage(image_.view())}};
+                {4, gpu::storageImage(image_)}};
     }
 
     Status allocated(const std::vector<gpu::Bound>& resources) {
@@ -105,15 +105,19 @@ TEST_F(Sets, TakeEachResourceByItsNumber) {
 
 TEST_F(Sets, LeaveOutWhatNoShaderDeclares) {
     std::vector<gpu::Bound> more = all();
-    more.push_back({2, gpu::storageImage(image_.view())});
+    more.push_back({2, gpu::storageImage(image_)});
     frame([&](VkCommandBuffer) { EXPECT_EQ(allocated(more), Status::ok) << message(); });
 }
 
 TEST_F(Sets, RefuseWhatIsNotAsDeclared) {
     std::vector<gpu::Bound> wrong = all();
     frame([&](VkCommandBuffer) {
-        wrong[2].resource = gpu::storageImage(image_.view());
+        wrong[2].resource = gpu::storageImage(image_);
         EXPECT_MISUSE(allocated(wrong), "four kinds: binding 3 is of descriptor type 3, expected 1",
+                      message());
+        wrong = all();
+        wrong[3].resource.format = VK_FORMAT_R16_SFLOAT;
+        EXPECT_MISUSE(allocated(wrong), "four kinds: the image of binding 4 is of format 76, expected 100",
                       message());
         wrong = all();
         wrong[0].number = 2;
