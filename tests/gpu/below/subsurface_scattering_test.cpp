@@ -85,7 +85,9 @@ TEST_F(SubsurfaceScattering, ShinesInCrestsBeforeTheSun) {
 TEST_F(SubsurfaceScattering, GrowsWithWhatScattersIt) {
     lowSun(true);
     const double little = gain(0.02f).crests[1], more = gain(0.08f).crests[1], most = gain(50).crests[1];
-    EXPECT_NEAR(more / little, 4, 0.2);
+    // The little is 0.00008 of light that is held in halves, whose steps are ten times that: drivers round it
+    // otherwise.
+    EXPECT_NEAR(more / little, 4, limitOnDriver(0.2, 0.5));
     EXPECT_LT(most, 50 / 0.02 * little);
 }
 

@@ -150,7 +150,8 @@ TEST_F(ParallelWater, DoesNotPopWhereALevelTakesOver) {
         ++count;
     }
     std::printf("moved by %.5f m in the mean\n", sum / count);
-    EXPECT_LT(sum / count, 2e-3);
+    EXPECT_LT(sum / count,
+              limitOnGrid(2e-3, 2e-2)); // a snapped vertex moves aside, where waves are higher or lower
 }
 
 TEST_F(ParallelWater, StandsWhereHeightQueriesSay) {
