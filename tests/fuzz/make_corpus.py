@@ -38,6 +38,19 @@ def small_png():
     return png(2, 2, b"\0" + bytes([255, 0, 0, 255] * 2) + b"\0" + bytes([0, 255, 0, 128] * 2), 6)
 
 
+def jpeg_segment(marker, data):
+    return bytes([0xff, marker]) + struct.pack(">H", len(data) + 2) + data
+
+
+def jpeg(width, height, more=b""):
+    """Progressive, of one scan, in which nothing is coded."""
+    tables = jpeg_segment(0xdb, b"\0" + b"\1" * 64) + jpeg_segment(0xc4, b"\0" + b"\1" + b"\0" * 15 + b"\0")
+    parts = b"".join(bytes([part, 0x11, 0]) for part in (1, 2, 3))
+    frame = jpeg_segment(0xc2, b"\x08" + struct.pack(">HH", height, width) + b"\3" + parts)
+    scan = jpeg_segment(0xda, b"\3" + bytes([1, 0, 2, 0, 3, 0]) + b"\0\0\0")
+    return b"\xff\xd8" + more + tables + frame + scan + b"\0" * 8 + b"\xff\xd9"
+
+
 def exr_attribute(name, kind, value):
     return name + b"\0" + kind + b"\0" + struct.pack("<i", len(value)) + value
 
@@ -269,6 +282,9 @@ def corpora():
     yield "png", "with_text", png(1, 1, b"\0\1\2\3", 2, 8, png_chunk(b"zTXt", b"a\0\0" + zlib.compress(b"text")) +
                                   png_chunk(b"sRGB", b"\0"))
     yield "png", "interlaced16", interlaced()
+    yield "png", "jpeg", jpeg(8, 8, jpeg_segment(0xe1, b"Exif\0\0" + exif([(0x112, 6)])) + jpeg_segment(0xfe, b"text"))
+    yield "png", "jpeg_of_65500", jpeg(65500, 65500)
+    yield "png", "jpeg_behind_a_marker_without_length", jpeg(65500, 65500, b"\xff\x01")
     yield "png", "palette", palette()
     yield "hdr", "runs_of_old", b"#?RGBE\n\n-Y 1 +X 6\n" + bytes([9, 9, 9, 129, 1, 1, 1, 5])
     yield "exr", "tiles", exr_of_tiles()
@@ -344,6 +360,42 @@ def attributes(parts, each):
     return exr_of_parts([(b"%d" % i, many) for i in range(parts)])
 
 
+def xmp(levels):
+    """OpenImageIO descends into these by calling itself."""
+    return b"<rdf:RDF><rdf:Description>" + b"<a>" * levels + b"1" + b"</a>" * levels + b"</rdf:Description></rdf:RDF>"
+
+
+def exif(tags):
+    """Short numbers: (tag, value)."""
+    return b"II*\0" + struct.pack("<IH", 8, len(tags)) + b"".join(struct.pack("<HHII", tag, 3, 1, v) for tag, v in tags) + b"\0" * 4
+
+
+def exif_within_exif(levels):
+    return b"II*\0" + struct.pack("<I", 8) + b"".join(struct.pack("<HHHIII", 1, 0x8769, 4, 1, 26 + 18 * i, 0) for i in range(levels))
+
+
+def png_with(name, data):
+    return png(1, 1, b"\0\1\2\3", 2, 8, png_chunk(name, data))
+
+
+def keywords(segments):
+    """Each is put behind all before it, of this and of the other segments."""
+    words = b"\x1c\x02\x19\0\x01k" * 10000
+    return jpeg_segment(0xed, b"Photoshop 3.0\0" + b"8BIM\x04\x04\0\0" + struct.pack(">I", len(words)) + words) * segments
+
+
+def sparse_colors():
+    """A few vertices, of which each colour is replaced 80,000 times, in each of 6,000 primitives."""
+    root, data = plate()
+    size = 240000
+    root["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": size})
+    replaced = {"count": size // 3, "indices": {"bufferView": 3, "componentType": 5121}, "values": {"bufferView": 3}}
+    root["accessors"].append({"componentType": 5121, "count": 4, "type": "VEC3", "sparse": replaced})
+    root["buffers"][0]["byteLength"] = len(data) + size
+    root["meshes"][0]["primitives"] = [{"attributes": {"POSITION": 0, "COLOR_0": 3}, "indices": 2}] * 6000
+    return gltf(root, data + b"\0" * size)
+
+
 def flat(width, height):
     return png(width, height, (b"\0" + b"\0" * width) * height, 0)
 
@@ -354,6 +406,15 @@ def large():
     yield "gltf", "data_uri_image", one_image_often()
     yield "gltf", "long_name", long_name()
     yield "gltf", "nested", b"[" * 500000
+    yield "gltf", "sparse_colors", sparse_colors()
+    yield "gltf", "image_of_xmp", gltf(*textured(png_with(b"iTXt", b"XML:com.adobe.xmp\0\0\0\0\0" + xmp(50000))))
+    yield "gltf", "image_of_65500", gltf(*textured(jpeg(65500, 65500)))
+    yield "png", "xmp", png_with(b"tEXt", b"XML:com.adobe.xmp\0" + xmp(120000))
+    yield "png", "exif_within_exif", png_with(b"eXIf", exif_within_exif(50000))
+    yield "png", "jpeg_of_65500", jpeg(65500, 65500)
+    yield "png", "jpeg_of_keywords", jpeg(8, 8, keywords(14))
+    yield "png", "jpeg_of_comments", jpeg(8, 8, b"".join(jpeg_segment(0xfe, b"k%d:v" % i) for i in range(60000)))
+    yield "exr", "layers", exr(1, 1, [b"%05x.R" % i for i in range(30000)])
     yield "png", "flat", flat(16384, 128)
     yield "exr", "attributes", attributes(1, 45000)
     yield "exr", "attributes_of_parts", attributes(40, 1000)

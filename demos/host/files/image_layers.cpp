@@ -1,6 +1,7 @@
 #include "host/files/image_layers.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "host/ascii.h"
@@ -62,18 +63,17 @@ ImageLayer anyOf(const Group& group) {
 std::vector<Group> groupsOf(const std::vector<ImagePart>& parts) {
     std::vector<Group> groups;
     for (size_t part = 0; part < parts.size(); ++part) {
-        const size_t first = groups.size();
+        std::map<std::string, size_t> known; // a file may have as many layers as channels
         for (size_t i = 0; i < parts[part].channels.size(); ++i) {
             const std::string& name = parts[part].channels[i];
             const size_t dot = name.rfind('.');
             const std::string layer = dot == name.npos ? "" : name.substr(0, dot);
-            auto group = std::find_if(groups.begin() + static_cast<std::ptrdiff_t>(first), groups.end(),
-                                      [&](const Group& g) { return g.layer == layer; });
-            if (group == groups.end()) {
+            const auto [group, fresh] = known.try_emplace(layer, groups.size());
+            if (fresh) {
                 const std::string label = layer.empty() && parts.size() > 1 ? parts[part].name : layer;
-                group = groups.insert(groups.end(), {static_cast<int>(part), layer, label, {}});
+                groups.push_back({static_cast<int>(part), layer, label, {}});
             }
-            group->channels.push_back({lowerCase(afterLastDot(name)), static_cast<int>(i)});
+            groups[group->second].channels.push_back({lowerCase(afterLastDot(name)), static_cast<int>(i)});
         }
     }
     return groups;
@@ -81,10 +81,10 @@ std::vector<Group> groupsOf(const std::vector<ImagePart>& parts) {
 
 /// Two parts may have layers of one name.
 void tellApart(std::vector<Group>& groups, const std::vector<ImagePart>& parts) {
-    std::vector<std::string> labels;
-    for (const Group& group : groups) labels.push_back(group.label);
+    std::map<std::string, size_t> counts;
+    for (const Group& group : groups) ++counts[group.label];
     for (Group& group : groups)
-        if (std::count(labels.begin(), labels.end(), group.label) > 1) {
+        if (counts[group.label] > 1) {
             const std::string& part = parts[static_cast<size_t>(group.part)].name;
             group.label = group.layer.empty() ? part : part + "." + group.layer;
         }

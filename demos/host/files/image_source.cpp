@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string_view>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include "host/files/exr_header.h"
@@ -243,15 +244,20 @@ std::string toText(const ImageWindow& window) {
 
 struct ImageSource::Opened {
     std::string name;
+    std::optional<BarePicture> bare; ///< what `input` reads by `memory`
+    std::optional<OIIO::Filesystem::IOMemReader> memory;
     std::unique_ptr<OIIO::ImageInput> input;
     OIIO::ImageSpec spec;
     ImageLayer layer;
     ColorMeaning meaning;
     ImageHeader header;
 
-    bool openAs(const std::string& format, const std::filesystem::path& file, Error& error);
+    bool openAs(const std::string& format, const std::filesystem::path& file, const limits::Allowance& pixels,
+                Error& error);
+    bool makeBare(const std::filesystem::path& file, const limits::Allowance& pixels, Error& error);
     bool find(const std::filesystem::path& file, const LayerChoice& choice, Error& error);
-    bool checkPixels(const std::filesystem::path& file, const limits::Allowance& pixels, Error& error) const;
+    bool checkPixels(const ImageWindow& window, const std::filesystem::path& file,
+                     const limits::Allowance& pixels, Error& error) const;
     void describe();
     void nameChannels(const std::vector<ImagePart>& parts);
     bool readBand(int y, int rows, std::vector<glm::vec4>& out);
@@ -260,7 +266,8 @@ struct ImageSource::Opened {
                   const std::function<void(const ImageRow&)>& visit) const;
 };
 
-bool ImageSource::Opened::openAs(const std::string& format, const std::filesystem::path& file, Error& error) {
+bool ImageSource::Opened::openAs(const std::string& format, const std::filesystem::path& file,
+                                 const limits::Allowance& pixels, Error& error) {
     const auto fail = [&](const std::string& what) {
         error.text = name + ": " + what;
         return false;
@@ -270,14 +277,37 @@ bool ImageSource::Opened::openAs(const std::string& format, const std::filesyste
         const std::string problem = exrHeaderProblem(file);
         if (!problem.empty()) return fail(problem);
     }
-    if (const std::string problem = unpackingProblem(file); !problem.empty()) return fail(problem);
     // XYZ, for one, is what OpenImageIO only calls no format.
     if (format == "hdr" && !readRadianceHeader(file, error)) return false;
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
+    if (format == "png" || format == "jpeg") {
+        if (!makeBare(file, pixels, error)) return false;
+        OIIO::Filesystem::IOProxy* proxy = &*memory;
+        hints.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    }
     input = OIIO::ImageInput::create(format);
     if (!input) return fail(OIIO::geterror());
     return input->open(name, spec, hints) || fail(input->geterror());
+}
+
+bool ImageSource::Opened::makeBare(const std::filesystem::path& file, const limits::Allowance& pixels,
+                                   Error& error) {
+    std::vector<uint8_t> bytes;
+    std::string problem;
+    if (readWhole(file, limits::pictureFileBytes, bytes, problem)) bare = barePicture(bytes, problem);
+    const ImageWindow frame =
+        bare ? ImageWindow{0, 0, static_cast<int>(bare->width), static_cast<int>(bare->height)}
+             : ImageWindow{};
+    const bool known = frame.width > 0 && frame.height > 0;
+    if (known && problem.empty()) problem = sizeProblem(frame);
+    if (!problem.empty()) {
+        error.text = name + ": " + problem;
+        return false;
+    }
+    if (known && !checkPixels(frame, file, pixels, error)) return false;
+    memory.emplace(bare->bytes.data(), bare->bytes.size());
+    return true;
 }
 
 bool ImageSource::Opened::find(const std::filesystem::path& file, const LayerChoice& choice, Error& error) {
@@ -320,18 +350,15 @@ bool ImageSource::Opened::find(const std::filesystem::path& file, const LayerCho
     return true;
 }
 
-bool ImageSource::Opened::checkPixels(const std::filesystem::path& file, const limits::Allowance& pixels,
-                                      Error& error) const {
+bool ImageSource::Opened::checkPixels(const ImageWindow& window, const std::filesystem::path& file,
+                                      const limits::Allowance& pixels, Error& error) const {
     std::error_code ignored;
     const uint64_t bytes = std::filesystem::file_size(file, ignored), most = pixels.of(bytes);
-    for (const ImageWindow& window : {dataWindow(spec), displayWindow(spec)}) {
-        if (static_cast<uint64_t>(window.width) * static_cast<uint64_t>(window.height) <= most) continue;
-        error.text = name + ": is " + std::to_string(window.width) + "x" + std::to_string(window.height) +
-                     " in " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(most) +
-                     (most < pixels.most ? unpacksFar : " pixels");
-        return false;
-    }
-    return true;
+    if (static_cast<uint64_t>(window.width) * static_cast<uint64_t>(window.height) <= most) return true;
+    error.text = name + ": is " + std::to_string(window.width) + "x" + std::to_string(window.height) +
+                 " in " + std::to_string(bytes) + " bytes, expected at most " + std::to_string(most) +
+                 (most < pixels.most ? unpacksFar : " pixels");
+    return false;
 }
 
 void ImageSource::Opened::describe() {
@@ -417,8 +444,10 @@ std::optional<ImageSource> ImageSource::open(const std::filesystem::path& file, 
     const QuietStderr quiet;
     auto opened = std::make_unique<Opened>();
     opened->name = file.string();
-    if (!opened->openAs(formatOf(file), file, error)) return std::nullopt;
-    if (!opened->find(file, choice, error) || !opened->checkPixels(file, pixels, error)) return std::nullopt;
+    if (!opened->openAs(formatOf(file), file, pixels, error) || !opened->find(file, choice, error))
+        return std::nullopt;
+    for (const ImageWindow& window : {dataWindow(opened->spec), displayWindow(opened->spec)})
+        if (!opened->checkPixels(window, file, pixels, error)) return std::nullopt;
     return ImageSource(std::move(opened));
 }
 

@@ -222,6 +222,7 @@ bool Buffers::sparse(const Json& accessor, const std::string& where, Elements& o
         !readCount(indices, "componentType", what + ".indices", type, error))
         return false;
     if (places.count == 0) return true;
+    if (!spend(places.count, what, error)) return false;
     places.componentType = static_cast<uint32_t>(std::min<size_t>(type, UINT32_MAX));
     if (!indexView || !valueView || !places.isWhole()) return fail("has no indices or no values");
     places.stride = bytesOf(type);

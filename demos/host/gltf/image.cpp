@@ -44,10 +44,23 @@ bool decodeImage(std::span<const uint8_t> bytes, uint64_t mostPixels, Pixels& ou
         problem = kindOf(text);
         return false;
     }
-    problem = unpackingProblem(bytes);
-    if (!problem.empty()) return false;
+    problem.clear();
+    std::optional<BarePicture> bare = barePicture(bytes, problem);
+    if (!bare) return false;
+    const auto isGranted = [&](int64_t width, int64_t height) {
+        if (width < 1 || height < 1 || width > limits::gltfImageSide || height > limits::gltfImageSide) {
+            problem = "is " + std::to_string(width) + "x" + std::to_string(height) + ", expected 1 to 8192";
+            return false;
+        }
+        out.width = static_cast<uint32_t>(width);
+        out.height = static_cast<uint32_t>(height);
+        if (uint64_t{out.width} * out.height > mostPixels)
+            problem = "brings the textures over what is granted to so many bytes";
+        return problem.empty();
+    };
+    if (bare->width > 0 && bare->height > 0 && !isGranted(bare->width, bare->height)) return false;
     const QuietStderr quiet;
-    OIIO::Filesystem::IOMemReader memory(const_cast<uint8_t*>(bytes.data()), bytes.size());
+    OIIO::Filesystem::IOMemReader memory(bare->bytes.data(), bare->bytes.size());
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::Filesystem::IOProxy* proxy = &memory;
@@ -58,19 +71,8 @@ bool decodeImage(std::span<const uint8_t> bytes, uint64_t mostPixels, Pixels& ou
         return false;
     }
     const OIIO::ImageSpec spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.width > limits::gltfImageSide ||
-        spec.height > limits::gltfImageSide) {
-        problem =
-            "is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + ", expected 1 to 8192";
-        return false;
-    }
+    if (!isGranted(spec.width, spec.height)) return false;
     const int channels = std::min(spec.nchannels, 4);
-    out.width = static_cast<uint32_t>(spec.width);
-    out.height = static_cast<uint32_t>(spec.height);
-    if (uint64_t{out.width} * out.height > mostPixels) {
-        problem = "brings the textures over what is granted to so many bytes";
-        return false;
-    }
     out.rgba.assign(size_t{out.width} * out.height * 4, 255);
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, out.rgba.data(), 4)) {
         problem = reasonOf(input->geterror());

@@ -32,8 +32,7 @@ constexpr size_t exrNameBytes = 255;
 constexpr int exrAttributes = 1024; ///< of a part: each is looked up among all before it
 constexpr int exrParts = 256;       ///< OpenEXR itself sets no bound
 constexpr size_t hdrHeaderBytes = 1 << 16;
-constexpr size_t pngTextBytes = 1 << 17; ///< that are compressed: a thousand times as many come of them
-constexpr size_t jpegScans = 64;         ///< each goes over all pixels
+constexpr size_t jpegScans = 64; ///< each goes over all pixels
 
 // ---- glTF and GLB
 

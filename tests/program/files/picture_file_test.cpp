@@ -278,40 +278,90 @@ TEST_F(PictureFile, SizesAreRefusedByTheHeaderAlone) {
     expectRefused(writeHdr(rgbe, "\n-Y 1 +X 20000\n"), {"20000x1", "1 to 16384"});
 }
 
-TEST_F(PictureFile, TextsAndScansAreCountedBeforeTheyAreUnpacked) {
-    const auto chunk = [](const char* kind, const std::string& data) {
-        const auto size = static_cast<uint32_t>(data.size());
-        std::string out;
-        for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(size >> shift & 0xff);
-        return out + kind + data + std::string(4, '\0');
-    };
-    const auto png = [&](const std::string& chunks) {
-        const fs::path file = folder_.path() / "a.png";
-        tests::writeAll(file, "\x89PNG\r\n\x1a\n" + chunks + chunk("IEND", ""));
-        return demos::unpackingProblem(file);
-    };
-    const std::string key("k\0", 2), much(1 << 16, 'x');
-    const std::string packed = chunk("zTXt", key + much) + chunk("iTXt", key + "\1" + much);
-    EXPECT_EQ(png(packed), "has 131077 bytes of compressed texts, expected at most 2^17");
-    EXPECT_EQ(png(chunk("zTXt", key + much)), "");
-    EXPECT_EQ(png(chunk("iTXt", key + std::string("\0", 1) + much + much)), "");
-    EXPECT_EQ(png(packed.substr(0, packed.size() / 3)),
-              "has a chunk of 65538 bytes, expected at most what the file has");
-    EXPECT_EQ(png(chunk("IDAT", key + much).substr(0, 100)), "");
+/// What is left of bytes, or what is wrong with them.
+std::string bareOf(const std::string& bytes) {
+    std::string problem;
+    const auto bare =
+        demos::barePicture({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, problem);
+    return bare ? std::string(bare->bytes.begin(), bare->bytes.end()) : problem;
+}
 
+std::string bytesOf(uint32_t number, int count) {
+    std::string out;
+    for (int i = count; i-- > 0;) out += static_cast<char>(number >> 8 * i & 0xff);
+    return out;
+}
+
+TEST(BarePicture, IsAPngWithoutItsTextsAndTags) {
+    const auto chunk = [](const char* kind, const std::string& data) {
+        return bytesOf(static_cast<uint32_t>(data.size()), 4) + kind + data + "sums";
+    };
+    const std::string start = "\x89PNG\r\n\x1a\n" + chunk("IHDR", "13 bytes") + chunk("gAMA", "1234");
+    const std::string texts = chunk("tEXt", "XML:com.adobe.xmp") + chunk("zTXt", "k") + chunk("iTXt", "k") +
+                              chunk("eXIf", "II*") + chunk("sPLT", "p");
+    const std::string pixels = chunk("PLTE", "123") + chunk("tRNS", "1") + chunk("IDAT", "pixels");
+    const std::string end = chunk("IEND", "");
+    EXPECT_EQ(bareOf(start + texts + pixels + texts + end + "more"), start + pixels + end);
+    EXPECT_EQ(bareOf(start + pixels.substr(0, pixels.size() - 9)),
+              start + pixels.substr(0, pixels.size() - 9))
+        << "pixels that are cut off";
+    EXPECT_EQ(bareOf(start + bytesOf(65538, 4) + "tEXt" + "few"),
+              "has a chunk of 65538 bytes, expected at most what the file has");
+}
+
+std::string segmentOf(int marker, const std::string& data) {
+    return std::string("\xff") + static_cast<char>(marker) +
+           bytesOf(static_cast<uint32_t>(data.size()) + 2, 2) + data;
+}
+
+TEST(BarePicture, IsAJpegWithoutItsTextsAndTags) {
+    const std::string exif = segmentOf(0xe1, std::string("Exif\0\0II*", 9)),
+                      comment = segmentOf(0xfe, "text");
+    const std::string texts = comment + segmentOf(0xe1, "http://ns.adobe.com/xap/1.0/") +
+                              segmentOf(0xed, "Photoshop 3.0") + exif + segmentOf(0xe0, "none");
+    const std::string start = "\xff\xd8" + segmentOf(0xe0, std::string("JFIF\0", 5)) + exif +
+                              segmentOf(0xe2, std::string("ICC_PROFILE\0", 12)) + segmentOf(0xee, "Adobe") +
+                              segmentOf(0xdb, "table");
+    const std::string scan = segmentOf(0xda, "x") + std::string("ab\xff\0c\xff\xd0 d", 9), end = "\xff\xd9";
+    EXPECT_EQ(bareOf(start + texts + scan + texts + scan + end + texts), start + scan + scan + end);
+    EXPECT_EQ(bareOf(start + "\xff\x01" + comment + "between\xff" + scan), start + scan)
+        << "a marker without a length, and bytes between segments";
+    EXPECT_EQ(bareOf(start + scan.substr(0, 5)), start + scan.substr(0, 5)) << "cut off";
+}
+
+TEST(BarePicture, SaysHowLargeAJpegsFramesAre) {
+    const auto frame = [](int marker, uint32_t width, uint32_t height) {
+        return segmentOf(marker, "8" + bytesOf(height, 2) + bytesOf(width, 2) + "3");
+    };
+    const std::string bytes =
+        "\xff\xd8\xff\x01" + frame(0xc2, 65500, 8) + frame(0xc4, 65501, 65501) + frame(0xc0, 8, 30000);
+    std::string problem;
+    const auto bare =
+        demos::barePicture({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()}, problem);
+    ASSERT_TRUE(bare) << problem;
+    EXPECT_EQ(bare->width, 65500u);
+    EXPECT_EQ(bare->height, 30000u);
+}
+
+TEST_F(PictureFile, ScansAndFramesOfJpegsAreCountedBeforeTheyAreUnpacked) {
     const auto jpeg = [&](size_t scans) {
-        const fs::path file = folder_.path() / "a.jpg";
         const std::string thumbnail("\xff\xe1\0\x08\xff\xda\0\2\xff\xda", 10),
             scan("\xff\xda\0\2x\xff\0y", 8);
         std::string bytes = "\xff\xd8" + thumbnail;
         for (size_t i = 0; i < scans; ++i) bytes += scan;
-        tests::writeAll(file, bytes + "\xff\xd9" + scan);
-        return demos::unpackingProblem(file);
+        return bytes + "\xff\xd9" + scan;
     };
-    EXPECT_EQ(jpeg(64), "");
-    EXPECT_EQ(jpeg(65), "has 65 scans, expected at most 64");
-    EXPECT_EQ(jpeg(5000), "has 5000 scans, expected at most 64");
-    expectRefused(folder_.path() / "a.jpg", {"5000 scans"});
+    EXPECT_FALSE(bareOf(jpeg(64)).starts_with("has"));
+    EXPECT_EQ(bareOf(jpeg(65)), "has 65 scans, expected at most 64");
+    const auto refuse = [&](const std::string& bytes, const std::string& what) {
+        tests::writeAll(folder_.path() / "a.jpg", bytes);
+        expectRefused(folder_.path() / "a.jpg", {what});
+    };
+    refuse(jpeg(5000), "5000 scans");
+    refuse("\xff\xd8" + segmentOf(0xc2, "8" + bytesOf(65500, 2) + bytesOf(65500, 2)),
+           "is 65500x65500, expected 1 to 16384 each way");
+    refuse("\xff\xd8" + segmentOf(0xc2, "8" + bytesOf(16000, 2) + bytesOf(16000, 2)),
+           "is 16000x16000 in 11 bytes, expected at most 2097174 pixels");
 }
 
 /// With the bytes of `with` in the place of those of `what`.
