@@ -72,6 +72,17 @@ inline Status refuseOutsideFrame(const Context* context, const char* call) {
                : Status::ok;
 }
 
+/// What estimate() is asked about.
+inline Status refuseExtent(const Context& context, VkExtent2D extent) {
+    const uint32_t most = context.device.limits().maxImageDimension2D;
+    if (extent.width == 0 || extent.height == 0)
+        return context.device.fail(Status::invalidArgument, "estimate: the extent is empty");
+    if (extent.width <= most && extent.height <= most) return Status::ok;
+    return context.device.fail(Status::invalidArgument,
+                               "estimate: the extent is %u x %u, the device's images have up to %u each way",
+                               extent.width, extent.height, most);
+}
+
 /// What createBody() and its like do: `make` fills a new T, which is the host's if nothing fails.
 template<typename T, typename Desc, typename Make>
 Status createHeld(const char* call, Context* context, const Desc* desc, T** out, Make&& make) {

@@ -34,6 +34,14 @@ VkImageCreateInfo createInfo(const ImageDesc& desc) {
     return info;
 }
 
+/// Views may be larger than any image that is drawn into: a scissor cuts them.
+Status checkExtent(const Device& device, const ImageDesc& desc, const char* what) {
+    const uint32_t most = device.limits().maxImageDimension2D;
+    if (std::max(desc.extent.width, desc.extent.height) <= most) return Status::ok;
+    return device.fail(Status::unsupported, "%s: %u x %u pixels, the device's images have up to %u each way",
+                       what, desc.extent.width, desc.extent.height, most);
+}
+
 } // namespace
 
 VkDeviceSize imageBytes(const ImageDesc& desc) {
@@ -81,6 +89,7 @@ void OwnedImage::release() {
 
 Status OwnedImage::create(const Device& device, const ImageDesc& desc, const char* what) {
     release();
+    if (const Status s = checkExtent(device, desc, what); s != Status::ok) return s;
     device_ = &device;
     desc_ = desc;
     const VkImageCreateInfo info = createInfo(desc);

@@ -114,6 +114,9 @@ const char* badViewport(const VkViewport& v) {
     if (v.width < 1 || std::abs(v.height) < 1) return "ViewDesc.viewport is smaller than one pixel";
     if (v.x < 0 || std::min(v.y, v.y + v.height) < 0)
         return "ViewDesc.viewport begins left of or above the image";
+    constexpr float farthest = 1 << 24; // where floats tell pixels apart
+    if (v.x + v.width > farthest || std::max(v.y, v.y + v.height) > farthest)
+        return "ViewDesc.viewport ends beyond 2^24 pixels";
     if (v.minDepth != 0 || v.maxDepth != 1) return "ViewDesc.viewport has a depth range other than 0 to 1";
     return nullptr;
 }

@@ -248,8 +248,7 @@ Status estimate(Context* context, const ReflectionDesc* desc, VkExtent2D extent,
         return s;
     *out = {};
     if (const Status s = check(context->device, *desc); s != Status::ok) return s;
-    if (extent.width == 0 || extent.height == 0)
-        return context->device.fail(Status::invalidArgument, "estimate: the extent is empty");
+    if (const Status s = gpu::refuseExtent(*context, extent); s != Status::ok) return s;
     if (const FieldError bad = badField(sceneSampleFields, &samples))
         return context->device.fail(Status::invalidArgument, "estimate: %s", bad.text());
     *out = estimateOf(context->device, *desc, extent, samples);

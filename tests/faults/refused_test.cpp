@@ -60,6 +60,9 @@ TEST_F(Refused, EstimatesOfNothing) {
     const ReflectionDesc reflection;
     const BodyDesc body;
     expectRefused(estimate(context_, &reflection, {4, 0}, &costs), "estimate: the extent is empty");
+    expectRefused(estimate(context_, &reflection, {4, 16385}, &costs), "estimate: the extent is 4 x 16385");
+    expectRefused(estimate(context_, &body, {4, 0}, &costs), "estimate: the extent is empty");
+    expectRefused(estimate(context_, &body, {~0u, 4}, &costs), "estimate: the extent is 4294967295 x 4");
     expectRefused(estimate(context_, &reflection, {4, 4}, &costs, seven), "estimate: SceneSamples.depth");
     expectRefused(estimate(context_, &body, {4, 4}, &costs, seven), "estimate: SceneSamples.depth");
 }
@@ -158,6 +161,59 @@ TEST_F(RefusedInAFrame, ShadowsThatNoMapHolds) {
     bad = right;
     bad.textureFromWorld[0][3] = notANumber;
     expectNamed(bad, "SunShadow.textureFromWorld is not finite");
+    destroyBody(body);
+}
+
+TEST_F(RefusedInAFrame, ViewsWiderThanImagesOfTheDevice) {
+    constexpr uint32_t most = 16384;
+    Reflector* reflector = nullptr;
+    const ReflectorDesc desc;
+    ASSERT_EQ(createReflector(context_, &desc, &reflector), Status::ok) << message_;
+    const auto reflected = [&](uint32_t width) {
+        view_.viewport.width = static_cast<float>(width);
+        view_.sceneColor.extent = view_.sceneDepth.extent = {width, 16};
+        return reflect(device_.commands(), &reflector, 1, &view_);
+    };
+    EXPECT_EQ(reflected(most), Status::ok) << message_;
+    expectRefused(reflected(most + 1), "16385 x 16 pixels, the device's images have up to 16384 each way",
+                  Status::unsupported);
+    destroyReflector(reflector);
+}
+
+TEST_F(RefusedInAFrame, ViewportsThatNoNumberOfPixelsReaches) {
+    Reflector* reflector = nullptr;
+    const ReflectorDesc desc;
+    ASSERT_EQ(createReflector(context_, &desc, &reflector), Status::ok) << message_;
+    const VkViewport right = view_.viewport;
+    for (float VkViewport::*const field :
+         {&VkViewport::x, &VkViewport::y, &VkViewport::width, &VkViewport::height})
+        for (const float value : {1.7e7f, 3e9f, 1e30f, 3e38f}) {
+            view_.viewport = right;
+            view_.viewport.*field = value;
+            expectRefused(reflect(device_.commands(), &reflector, 1, &view_),
+                          "ViewDesc.viewport ends beyond 2^24 pixels");
+        }
+    destroyReflector(reflector);
+}
+
+TEST_F(RefusedInAFrame, OutputsThatThereAreNone) {
+    Body* body = nullptr;
+    Target* target = nullptr;
+    const BodyDesc still;
+    const LightingDesc lighting;
+    TargetDesc desc;
+    desc.colorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+    desc.depthFormat = VK_FORMAT_D32_SFLOAT;
+    ASSERT_EQ(createBody(context_, &still, &body), Status::ok) << message_;
+    ASSERT_EQ(createTarget(context_, &desc, &target), Status::ok) << message_;
+    for (const uint32_t number : {9u, 100u, ~0u}) {
+        const auto output = static_cast<SurfaceOutput>(number);
+        expectRefused(shade(device_.commands(), &body, 1, &view_, &lighting, output), "shade: output is ");
+        expectRefused(draw(device_.commands(), target, &body, 1, &view_, &lighting, output),
+                      "draw: output is ");
+        expectRefused(prepare(target, body, nullptr, nullptr, output), "prepare: output is ");
+    }
+    destroyTarget(target);
     destroyBody(body);
 }
 

@@ -10,7 +10,7 @@
 namespace fuzz {
 
 void comparePictures(Bytes bytes) {
-    constexpr uint32_t mostEdge = 24;
+    constexpr uint32_t mostEdge = 12;
     Taken from(bytes);
     const demos::PictureKind kind = from.yes() ? demos::PictureKind::linear : demos::PictureKind::display;
     const uint32_t width = 1 + from.below(mostEdge), height = 1 + from.below(mostEdge);

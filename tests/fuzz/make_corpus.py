@@ -396,6 +396,15 @@ def sparse_colors():
     return gltf(root, data + b"\0" * size)
 
 
+def many_targets():
+    root, data = plate()
+    root["meshes"][0]["primitives"][0]["targets"] = [{"POSITION": 0}] * 20000
+    root["meshes"][0]["weights"] = [1] * 20000
+    root["nodes"] = [{"mesh": 0}] * 300
+    root["scenes"][0]["nodes"] = list(range(300))
+    return gltf(root, data)
+
+
 def flat(width, height):
     return png(width, height, (b"\0" + b"\0" * width) * height, 0)
 
@@ -407,6 +416,7 @@ def large():
     yield "gltf", "long_name", long_name()
     yield "gltf", "nested", b"[" * 500000
     yield "gltf", "sparse_colors", sparse_colors()
+    yield "gltf", "targets", many_targets()
     yield "gltf", "image_of_xmp", gltf(*textured(png_with(b"iTXt", b"XML:com.adobe.xmp\0\0\0\0\0" + xmp(50000))))
     yield "gltf", "image_of_65500", gltf(*textured(jpeg(65500, 65500)))
     yield "png", "xmp", png_with(b"tEXt", b"XML:com.adobe.xmp\0" + xmp(120000))

@@ -52,9 +52,21 @@ void expectBounds(const Mesh& mesh, const glm::vec3& low, const glm::vec3& high)
     EXPECT_LT(glm::length(mesh.high - high), 1e-5f) << mesh.high.x << " " << mesh.high.y;
 }
 
+/// Of all triangles, by the order of their corners.
+void expectFacing(const Mesh& mesh, const glm::vec3& normal) {
+    for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const auto corner = [&](size_t k) { return mesh.vertices[mesh.indices[i + k]].position; };
+        const glm::vec3 faces = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+        EXPECT_LT(glm::length(faces - normal), 1e-4f) << "triangle " << i / 3;
+    }
+    for (const demos::MeshVertex& vertex : mesh.vertices)
+        EXPECT_LT(glm::length(vertex.normal - normal), 0.01f);
+}
+
 void expectPlate(const Mesh& mesh) {
     expectBounds(mesh, {-1, 0, 0}, {1, 2, 0});
     ASSERT_EQ(mesh.vertices.size(), 4u);
+    expectFacing(mesh, {0, 0, 1});
     for (const demos::MeshVertex& vertex : mesh.vertices) {
         EXPECT_LT(glm::length(vertex.normal - glm::vec3(0, 0, 1)), 0.01f);
         EXPECT_LT(glm::length(vertex.uv - glm::vec2((vertex.position.x + 1) / 2, 1 - vertex.position.y / 2)),
@@ -240,6 +252,40 @@ std::vector<Case> placements() {
          },
          [](const Mesh& mesh) {
              expectBounds(mesh, {-1, 5, 0}, {1, 7, 0});
+         }},
+        {"SkinOfWeightsThatAddUpToTwo",
+         [](Plate& p) {
+             addSkin(p, {0, 0, 0});
+             p.primitive()["attributes"]["WEIGHTS_0"] =
+                 p.addFloats({1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0}, "VEC4");
+         },
+         expectPlate},
+        {"MirroredNode",
+         [](Plate& p) {
+             p.node()["scale"] = {-1, 1, 1};
+         },
+         [](const Mesh& mesh) {
+             expectBounds(mesh, {-1, 0, 0}, {1, 2, 0});
+             expectFacing(mesh, {0, 0, 1});
+         }},
+        {"MirroredThroughItsPlane",
+         [](Plate& p) {
+             p.node()["scale"] = {1, 1, -1};
+         },
+         [](const Mesh& mesh) {
+             expectFacing(mesh, {0, 0, -1});
+         }},
+        {"ParentsMoveAfterTheirChildren",
+         [](Plate& p) {
+             p.node()["translation"] = {0, 0, 5};
+             p.root["nodes"].push_back({{"children", {0}},
+                                        {"translation", {10, 0, 0}},
+                                        {"rotation", {0, 0.7071067812, 0, 0.7071067812}}});
+             p.root["scenes"][0]["nodes"] = {1};
+         },
+         [](const Mesh& mesh) {
+             expectBounds(mesh, {15, 0, -1}, {15, 2, 1});
+             expectFacing(mesh, {1, 0, 0});
          }},
         {"MorphOfTheMesh",
          [](Plate& p) {
@@ -1052,6 +1098,21 @@ std::vector<Refused> refusedLoads() {
              p.primitive()["targets"] = {p.primitive()["attributes"], p.primitive()["attributes"]};
          }),
          {"sparse", "over 256 MiB"}},
+        {"FewElementsReplacedOften",
+         changed([](Plate& p) {
+             constexpr size_t often = 200000;
+             const size_t zeros = p.addView(std::string(often * 2, '\0'));
+             p.root["accessors"][2] = {{"componentType", 5123},
+                                       {"type", "SCALAR"},
+                                       {"count", 6},
+                                       {"sparse",
+                                        {{"count", often},
+                                         {"indices", {{"bufferView", zeros}, {"componentType", 5121}}},
+                                         {"values", {{"bufferView", zeros}}}}}};
+             p.primitive()["indices"] = 2;
+             p.root["meshes"][0]["primitives"] = std::vector<Json>(120, p.primitive());
+         }),
+         {"sparse brings what is read over"}},
         {"ManyJoints",
          changed([](Plate& p) {
              addSkin(p, {0, 0, 0});

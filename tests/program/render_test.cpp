@@ -211,9 +211,9 @@ TEST_F(Render, QualitySetsWhatMayBeSetAfterIt) {
 }
 
 TEST_F(Render, SkyAndMeshOfOnesOwn) {
-    tests::writeAll(folder_.path() / "mine.hdr", tests::sampleSky());
-    tests::writeAll(folder_.path() / "mine one.gltf", tests::sampleMesh());
-    const Outcome outcome = render({"-o", "out/a.png", "--sky", "mine.hdr", "--mesh", "mine one.gltf",
+    tests::writeAll(folder_.path() / "mine's.hdr", tests::sampleSky());
+    tests::writeAll(folder_.path() / "mine [1].gltf", tests::sampleMesh());
+    const Outcome outcome = render({"-o", "out/a.png", "--sky", "mine's.hdr", "--mesh", "mine [1].gltf",
                                     "--set", "mesh.0.position_m=[0, 0, -8]"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }

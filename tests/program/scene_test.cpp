@@ -634,6 +634,14 @@ TEST_F(SceneFile, OverrideErrorsNameTheOverride) {
               "[a, b, c]");
 }
 
+TEST_F(SceneFile, OverridesNameFilesOfAnyName) {
+    for (const std::string file : {"/O'Brien/\"boat\" [1] {a}.glb",
+                                   "/a#b=c\\d.e.f.g.h.i.j.k.l.m.n.o.p.q.r.s.glb", "/a\nb = 'c'.glb", "/[]"}) {
+        EXPECT_FALSE(load({"mesh.0.file=" + file}));
+        EXPECT_TRUE(error_.text.ends_with(file + ": no such file")) << error_.text;
+    }
+}
+
 TEST_F(SceneFile, AnOverrideCannotSmuggleInASecondKey) {
     EXPECT_NE(problemOf("time_s=1\ntitle='x'"), "");
 }

@@ -71,13 +71,18 @@ TEST(ShoreWetness, SwashHangsTogetherWithTheSea) {
 
 TEST(ShoreWetness, NoWaterRunsOverSandThatLooksDry) {
     const SeaPtr sea = beach();
-    size_t under = 0, dry = 0, unsaid = 0;
+    size_t under = 0, dry = 0, filmed = 0, bare = 0, unsaid = 0;
     for (double time = 3; time < 63; time += 0.37) {
         const ShoreSignal signal = sea->shore->signalAt(time, 3);
         const Wetting wetting(*sea, time);
         for (double v = -2; v < 20; v += 0.2) {
-            const double water = waterAt(*sea, signal, v);
+            const ShoreWave wave = sea->shore->waveAt(signal, 3, v, 0);
+            const double water = wave.height + wave.depth;
             const ShoreWetness wetness = wetting.at(v);
+            if (wave.wetTo + wave.depth > 1e-3) {
+                ++filmed;
+                bare += wetness.wet < 0.999 ? 1 : 0;
+            }
             if (water > 1e-3) {
                 ++under;
                 dry += wetness.wet < 0.999 ? 1 : 0;
@@ -85,9 +90,13 @@ TEST(ShoreWetness, NoWaterRunsOverSandThatLooksDry) {
             unsaid += water > 0.03 && wetness.under < 0.999 ? 1 : 0;
         }
     }
-    std::printf("%zu places under water, %zu of them dry, %zu as if in the open\n", under, dry, unsaid);
+    std::printf(
+        "%zu places under water, %zu of them dry, %zu as if in the open; %zu under a film, %zu of them dry\n",
+        under, dry, unsaid, filmed, bare);
     EXPECT_GT(under, 1000u);
     EXPECT_EQ(dry, 0u);
+    EXPECT_GT(filmed, under);
+    EXPECT_EQ(bare, 0u);
     EXPECT_EQ(unsaid, 0u);
 }
 
@@ -165,6 +174,20 @@ TEST(ShoreWetness, IsTheSameFromEveryEye) {
         EXPECT_NEAR(a.wet, b.wet, 1e-3);
         EXPECT_NEAR(a.under, b.under, 1e-3);
     }
+}
+
+TEST(ShoreWetness, IsANumberAtWhatIsNoPlace) {
+    const SeaPtr sea = beach();
+    std::vector<float> rows(size_t{4} * shoreRowCount(*sea, dryingTime));
+    const ShoreBlock block = shoreRows(*sea, 50, dryingTime, noEye, rows.data());
+    const double bad[] = {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300};
+    for (const double u : bad)
+        for (const double v : bad)
+            for (const double height : {0.0, std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+                const ShoreWetness wetness = shoreWetness(*sea, block, rows.data(), u, v, height);
+                EXPECT_TRUE(wetness.wet >= 0 && wetness.wet <= 1) << u << " " << v << " " << height;
+                EXPECT_TRUE(wetness.under >= 0 && wetness.under <= 1) << u << " " << v << " " << height;
+            }
 }
 
 TEST(ShoreWetness, ThereIsNoneWithoutAShore) {

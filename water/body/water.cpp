@@ -27,6 +27,7 @@ Status estimate(Context* context, const BodyDesc* desc, VkExtent2D extent, Estim
         return context->device.fail(Status::invalidArgument, "%s", bad.text());
     if (const FieldError bad = badField(sceneSampleFields, &samples))
         return context->device.fail(Status::invalidArgument, "estimate: %s", bad.text());
+    if (const Status s = gpu::refuseExtent(*context, extent); s != Status::ok) return s;
     return gpu::guarded([&] {
         SeaPointer sea;
         if (const Status s = seaOf(context->device, *desc, sea); s != Status::ok) return s;
@@ -118,6 +119,15 @@ Status refuseDraw(const char* call, VkCommandBuffer commands, const Target* targ
     return gpu::refuseOutsideFrame(target->context, call);
 }
 
+/// A host's number may be any. Without a body nobody hears of it.
+Status refuseOutput(const char* call, const Context* context, SurfaceOutput output) {
+    constexpr auto last = static_cast<uint32_t>(SurfaceOutput::motion);
+    const auto number = static_cast<uint32_t>(output);
+    if (number <= last || !context) return Status::ok;
+    return context->device.fail(Status::invalidArgument, "%s: output is %u, expected 0 to %u", call, number,
+                                last);
+}
+
 } // namespace
 
 Status simulate(VkCommandBuffer commands, Body* const* bodies, uint32_t count, double time) {
@@ -182,6 +192,7 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
             const ViewDesc* view, const LightingDesc* lighting, SurfaceOutput output) {
     if (const Status s = refuseDraw("draw", commands, target, bodies, count, view, lighting); s != Status::ok)
         return s;
+    if (const Status s = refuseOutput("draw", target->context, output); s != Status::ok) return s;
     const DrawCall call{commands, *target, *view, *lighting};
     const auto drawParts = [&](DrawMoment moment) {
         if (output != SurfaceOutput::shaded) return Status::ok;
@@ -194,6 +205,8 @@ Status draw(VkCommandBuffer commands, Target* target, Body* const* bodies, uint3
 
 Status shade(VkCommandBuffer commands, Body* const* bodies, uint32_t count, const ViewDesc* view,
              const LightingDesc* lighting, SurfaceOutput output) {
+    if (const Status s = refuseOutput("shade", gpu::contextOf(bodies, count), output); s != Status::ok)
+        return s;
     return recordParts("shade", commands, bodies, count, view, lighting, &ShadingPart::shade, output);
 }
 
@@ -208,6 +221,7 @@ Status prepare(Target* target, Body* body, const ViewDesc* view, const LightingD
     if (body->context != target->context)
         return context->device.fail(Status::invalidArgument,
                                     "prepare: the body and the target are of different contexts");
+    if (const Status s = refuseOutput("prepare", context, output); s != Status::ok) return s;
     return gpu::guarded([&] { return body->prepare(*target, view, lighting, output); });
 }
 

@@ -371,8 +371,10 @@ void Shore::drawTrains(const SeaDesc& sea, const WaveSystem& system) {
 }
 
 Shore::Cell Shore::cellAt(double u, double v) const {
-    const double x = std::clamp((u - origin_[0]) / spacing_, 0.0, samples_[0] - 1.0);
-    const double y = std::clamp((v - origin_[1]) / spacing_, 0.0, samples_[1] - 1.0);
+    // What is no number lies at the first sample.
+    const auto within = [](double at, double most) { return at > 0 ? std::min(at, most) : 0.0; };
+    const double x = within((u - origin_[0]) / spacing_, samples_[0] - 1.0);
+    const double y = within((v - origin_[1]) / spacing_, samples_[1] - 1.0);
     const auto i = std::min(static_cast<size_t>(x), size_t{samples_[0]} - 2);
     const auto j = std::min(static_cast<size_t>(y), size_t{samples_[1]} - 2);
     const auto fx = static_cast<float>(x - static_cast<double>(i)),

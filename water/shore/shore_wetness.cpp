@@ -115,7 +115,7 @@ ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const doubl
 ShoreWetness shoreWetness(const Sea& sea, const ShoreBlock& block, const float* rows, double u, double v,
                           double height) {
     const Shore* const shore = shoreOf(sea);
-    if (!shore || !(block.rows[2] > 0)) return {};
+    if (!shore || !(block.rows[2] > 0) || std::isnan(height)) return {};
     const auto eye = [&](size_t axis) {
         return double{block.place[axis]} * shore->spacing() + shore->origin()[axis];
     };

@@ -189,7 +189,7 @@ bool Buffers::elements(size_t index, const std::string& where, Elements& out, Er
         out.data = out.own->data();
         out.stride = 0;
     }
-    return spend(out.count, what, error) &&
+    return spend(limits::gltfAccessorWork + out.count, what, error) &&
            (member(accessor, "sparse").is_null() || sparse(accessor, what, out, error));
 }
 

@@ -53,6 +53,7 @@ constexpr Allowance gltfVertices{uint64_t(1) << 20, 16'000'000, 1, 3};
 /// Elements that are read, or read again for another node: sixteen a vertex.
 constexpr Allowance gltfWork{uint64_t(1) << 24, uint64_t(1) << 32, 16, 3};
 constexpr uint64_t gltfPrimitiveWork = 128; ///< of one that is read, whatever it holds
+constexpr uint64_t gltfAccessorWork = 64;   ///< likewise, each time
 constexpr uint64_t gltfSparseBytes = uint64_t(1) << 28;
 constexpr size_t gltfNotes = 64; ///< lines of what is left out
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace {
 
@@ -80,6 +81,42 @@ TEST(Whitecaps, NothingBreaksInACalmOrALightBreeze) {
     desc.windSpeed = 1.5f;
     EXPECT_EQ(breakingOf(*makeSea(desc), {}).count, 0u);
     EXPECT_EQ(coverOf(desc), 0);
+}
+
+TEST(Whitecaps, CrestsRunAsFastAsTheWavesWhoseSlopesTheyAre) {
+    SeaDesc desc = windSea(SpectrumModel::jonswap, 12, 4);
+    desc.windDirection = 0.7f;
+    const auto sea = makeSea(desc);
+    const Breaking breaking = breakingOf(*sea, {});
+    ASSERT_GT(breaking.count, 0u);
+    for (uint32_t c = 0; c < breaking.count; ++c) {
+        const Modes& modes = sea->modes[c];
+        double slopes = 0, speeds = 0;
+        for (size_t at = 0; at < modes.frequency.size(); ++at) {
+            if (!(modes.inverseK[at] > 0)) continue;
+            const double k = 1 / static_cast<double>(modes.inverseK[at]);
+            const double frequency = 2 * std::numbers::pi * modes.frequency[at] / desc.loopPeriod;
+            const double slope = k * k * varianceAt(modes, at);
+            slopes += slope;
+            speeds += slope * frequency / k;
+        }
+        const double speed = speeds / slopes;
+        EXPECT_NEAR(breaking.runs[c][0], speed * std::cos(0.7), 1e-3 * speed) << c;
+        EXPECT_NEAR(breaking.runs[c][1], speed * std::sin(0.7), 1e-3 * speed) << c;
+    }
+}
+
+TEST(Whitecaps, LateBreakersAreNarrowedNoMoreThanAlmostWhole) {
+    SeaDesc steep = windSea(SpectrumModel::jonswap, 12, 4);
+    steep.choppiness = 6;
+    const auto sea = makeSea(steep);
+    FoamDesc late;
+    late.bias = -1;
+    const Breaking usual = breakingOf(*sea, {}), most = breakingOf(*sea, late);
+    ASSERT_GT(usual.now, 0.0f);
+    ASSERT_LT(usual.now, 0.9f);
+    ASSERT_GT(most.now, 1.0f);
+    EXPECT_NEAR(most.narrower / usual.narrower, 0.9f / usual.now, 1e-3f);
 }
 
 TEST(Whitecaps, WavesThatAreTooLowForItKeepNoHistory) {

@@ -34,10 +34,14 @@ void dropOtherWay(const Section& section, toml::table& table, std::string_view k
 
 /// The value of "path=value": TOML, or else a bare word. Its nodes say where they come from.
 std::optional<toml::table> parseValue(const std::string& text, const std::string& source) {
-    if (!hasShortKeys(text)) return std::nullopt;
-    toml::parse_result parsed = toml::parse("v = " + text + "\n", source);
-    if (parsed && parsed.table().size() == 1) return std::move(parsed).table();
-    if (text.empty() || text.find_first_of("\"'[]{}\n") != text.npos) return std::nullopt;
+    // A file may have any name, and what begins like that is no TOML.
+    const bool isFile = text.starts_with('/');
+    if (!isFile) {
+        if (!hasShortKeys(text)) return std::nullopt;
+        toml::parse_result parsed = toml::parse("v = " + text + "\n", source);
+        if (parsed && parsed.table().size() == 1) return std::move(parsed).table();
+        if (text.empty() || text.find_first_of("\"'[]{}\n") != text.npos) return std::nullopt;
+    }
     toml::parse_result word = toml::parse("v = ''\n", source);
     if (!word) return std::nullopt;
     word.table().get_as<std::string>("v")->get() = text;
