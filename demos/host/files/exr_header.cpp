@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 
 #include "scene/input_limits.h"
 
@@ -12,6 +13,37 @@ namespace demos {
 namespace {
 
 constexpr uint32_t multiPart = 0x1000;
+/// Bytes of types that OpenEXR reads whole, whatever their attribute is said to hold.
+struct Sized {
+    std::string_view type;
+    int64_t bytes;
+};
+constexpr std::array<Sized, 24> sizedTypes = {{
+    {"box2f", 16},
+    {"box2i", 16},
+    {"chromaticities", 32},
+    {"compression", 1},
+    {"deepImageState", 1},
+    {"double", 8},
+    {"envmap", 1},
+    {"float", 4},
+    {"int", 4},
+    {"keycode", 28},
+    {"lineOrder", 1},
+    {"m33d", 72},
+    {"m33f", 36},
+    {"m44d", 128},
+    {"m44f", 64},
+    {"rational", 8},
+    {"tiledesc", 9},
+    {"timecode", 8},
+    {"v2d", 16},
+    {"v2f", 8},
+    {"v2i", 8},
+    {"v3d", 24},
+    {"v3f", 12},
+    {"v3i", 12},
+}};
 /// Rows that each of OpenEXR's compressions packs together, from NO_COMPRESSION to DWAB_COMPRESSION.
 constexpr std::array<int64_t, 10> rowsOfBlock = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
 
@@ -65,7 +97,21 @@ std::string countChannels(Reader& reader, int64_t bytes, int64_t& count) {
         reader.skip(12); // linearity, sampling
         ++count;
     }
-    return "";
+    // OpenEXR goes by the empty name alone, and would read on from elsewhere.
+    return reader.left() == end ? "" : "has a list of channels that is not as long as it says";
+}
+
+/// What is wrong with how much an attribute is said to hold; empty when nothing is.
+std::string sizeProblem(Reader& reader, const std::string& type, int64_t bytes) {
+    const auto* const sized = std::find_if(sizedTypes.begin(), sizedTypes.end(),
+                                           [&](const Sized& known) { return known.type == type; });
+    int64_t expected = sized == sizedTypes.end() ? bytes : sized->bytes;
+    if (type == "preview") {
+        const int64_t width = reader.word(), height = reader.word();
+        expected = width < limits::pictureSide && height < limits::pictureSide ? 8 + 4 * width * height : -1;
+        reader.skip(-8);
+    }
+    return bytes == expected ? "" : "is said to hold " + std::to_string(bytes) + " bytes, of type " + type;
 }
 
 /// Of other parts OpenEXR checks nothing.
@@ -115,6 +161,8 @@ std::string partProblem(Reader& reader, bool& more) {
         if (!reader.ok() || bytes > left)
             return "attribute '" + name + "' is said to hold " + std::to_string(bytes) +
                    " bytes, expected at most what the file has";
+        if (const std::string wrong = sizeProblem(reader, type, bytes); !wrong.empty())
+            return "attribute '" + name + "' " + wrong;
         const std::string problem = take(reader, name, bytes, part);
         if (!problem.empty()) return problem;
         reader.skip(reader.left() - (left - bytes));

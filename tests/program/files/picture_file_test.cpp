@@ -272,6 +272,16 @@ TEST_F(PictureFile, OfADeepImageIsRefused) {
     expectRefused(file, {"is deep"});
 }
 
+TEST_F(PictureFile, HdrSaysHowHighPixelsAreToTheirWidth) {
+    const std::string pixel = "\x80\x80\x80\x81";
+    const auto aspect = [&](const std::string& lines) {
+        return read(writeHdr(rgbe + lines + "\n-Y 1 +X 1\n", pixel)).header.pixelAspect;
+    };
+    EXPECT_EQ(aspect(""), 1);
+    EXPECT_EQ(aspect("PIXASPECT=2\n"), 0.5);
+    EXPECT_EQ(aspect("PIXASPECT=2\nPIXASPECT= 0.25\n"), 2);
+}
+
 TEST_F(PictureFile, SizesAreRefusedByTheHeaderAlone) {
     expectRefused(writeHdr(rgbe, "\n-Y 11000 +X 11000\n"),
                   {"11000x11000", "in 53 bytes", "expected at most 2097258 pixels"});
