@@ -239,7 +239,7 @@ std::vector<Case> accessors() {
     };
 }
 
-std::vector<Case> placements() {
+std::vector<Case> skinsAndMorphs() {
     return {
         {"SkinIgnoresItsNode",
          [](Plate& p) {
@@ -260,6 +260,31 @@ std::vector<Case> placements() {
                  p.addFloats({1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0}, "VEC4");
          },
          expectPlate},
+        {"MorphOfTheMesh",
+         [](Plate& p) {
+             p.primitive()["targets"] = {
+                 {{"POSITION", p.addFloats({0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}, "VEC3")}}};
+             p.root["meshes"][0]["weights"] = {1};
+         },
+         [](const Mesh& mesh) {
+             expectBounds(mesh, {-1, 1, 0}, {1, 3, 0});
+         }},
+        {"MorphOfTheNode",
+         [](Plate& p) {
+             p.primitive()["targets"] = {
+                 {{"POSITION", p.addFloats({0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}, "VEC3")}},
+                 {{"POSITION", p.addFloats({1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3")}}};
+             p.root["meshes"][0]["weights"] = {1, 1};
+             p.node()["weights"] = {0.5, 0};
+         },
+         [](const Mesh& mesh) {
+             expectBounds(mesh, {-1, 0.5f, 0}, {1, 2.5f, 0});
+         }},
+    };
+}
+
+std::vector<Case> placements() {
+    return {
         {"MirroredNode",
          [](Plate& p) {
              p.node()["scale"] = {-1, 1, 1};
@@ -286,26 +311,6 @@ std::vector<Case> placements() {
          [](const Mesh& mesh) {
              expectBounds(mesh, {15, 0, -1}, {15, 2, 1});
              expectFacing(mesh, {1, 0, 0});
-         }},
-        {"MorphOfTheMesh",
-         [](Plate& p) {
-             p.primitive()["targets"] = {
-                 {{"POSITION", p.addFloats({0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}, "VEC3")}}};
-             p.root["meshes"][0]["weights"] = {1};
-         },
-         [](const Mesh& mesh) {
-             expectBounds(mesh, {-1, 1, 0}, {1, 3, 0});
-         }},
-        {"MorphOfTheNode",
-         [](Plate& p) {
-             p.primitive()["targets"] = {
-                 {{"POSITION", p.addFloats({0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0}, "VEC3")}},
-                 {{"POSITION", p.addFloats({1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3")}}};
-             p.root["meshes"][0]["weights"] = {1, 1};
-             p.node()["weights"] = {0.5, 0};
-         },
-         [](const Mesh& mesh) {
-             expectBounds(mesh, {-1, 0.5f, 0}, {1, 2.5f, 0});
          }},
         {"Instances",
          [](Plate& p) {
@@ -776,6 +781,7 @@ TEST_P(Reads, AsItIsWritten) {
 const auto nameOf = [](const auto& info) { return info.param.name; };
 INSTANTIATE_TEST_SUITE_P(Primitives, Reads, testing::ValuesIn(primitives()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Accessors, Reads, testing::ValuesIn(accessors()), nameOf);
+INSTANTIATE_TEST_SUITE_P(SkinsAndMorphs, Reads, testing::ValuesIn(skinsAndMorphs()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Placements, Reads, testing::ValuesIn(placements()), nameOf);
 INSTANTIATE_TEST_SUITE_P(BesideThePlate, Reads, testing::ValuesIn(besideThePlate()), nameOf);
 INSTANTIATE_TEST_SUITE_P(ExtensionsBesideThePlate, Reads, testing::ValuesIn(extensionsBesideThePlate()),
@@ -1058,6 +1064,25 @@ std::vector<Refused> refusedBuffers() {
 }
 
 /// Small files that ask for much.
+std::vector<Refused> refusedRepeats() {
+    return {
+        {"FewElementsReplacedOften",
+         changed([](Plate& p) {
+             constexpr size_t often = 200000;
+             const size_t zeros = p.addView(std::string(often * 2, '\0'));
+             p.root["accessors"][3] = {{"componentType", 5123},
+                                       {"type", "SCALAR"},
+                                       {"count", 6},
+                                       {"sparse",
+                                        {{"count", often},
+                                         {"indices", {{"bufferView", zeros}, {"componentType", 5121}}},
+                                         {"values", {{"bufferView", zeros}}}}}};
+             p.root["meshes"][0]["primitives"] = std::vector<Json>(120, p.primitive());
+         }),
+         {"sparse brings what is read over"}},
+    };
+}
+
 std::vector<Refused> refusedLoads() {
     return {
         {"AMeshTooOften",
@@ -1098,20 +1123,6 @@ std::vector<Refused> refusedLoads() {
              p.primitive()["targets"] = {p.primitive()["attributes"], p.primitive()["attributes"]};
          }),
          {"sparse", "over 256 MiB"}},
-        {"FewElementsReplacedOften",
-         changed([](Plate& p) {
-             constexpr size_t often = 200000;
-             const size_t zeros = p.addView(std::string(often * 2, '\0'));
-             p.root["accessors"][3] = {{"componentType", 5123},
-                                       {"type", "SCALAR"},
-                                       {"count", 6},
-                                       {"sparse",
-                                        {{"count", often},
-                                         {"indices", {{"bufferView", zeros}, {"componentType", 5121}}},
-                                         {"values", {{"bufferView", zeros}}}}}};
-             p.root["meshes"][0]["primitives"] = std::vector<Json>(120, p.primitive());
-         }),
-         {"sparse brings what is read over"}},
         {"ManyJoints",
          changed([](Plate& p) {
              addSkin(p, {0, 0, 0});
@@ -1161,6 +1172,7 @@ INSTANTIATE_TEST_SUITE_P(Versions, Refuses, testing::ValuesIn(refusedVersions())
 INSTANTIATE_TEST_SUITE_P(Scenes, Refuses, testing::ValuesIn(refusedScenes()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Vertices, Refuses, testing::ValuesIn(refusedVertices()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Buffers, Refuses, testing::ValuesIn(refusedBuffers()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Repeats, Refuses, testing::ValuesIn(refusedRepeats()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Loads, Refuses, testing::ValuesIn(refusedLoads()), nameOf);
 
 } // namespace

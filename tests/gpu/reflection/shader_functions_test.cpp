@@ -9,7 +9,7 @@
 #include "spirv/hidden_ways.comp.h"
 #include "spirv/looked_up_tiles.comp.h"
 #include "spirv/march_stride_hits.comp.h"
-#include "tests/gpu/rig/shader_functions.h"
+#include "tests/gpu/shaders/shader_functions.h"
 
 namespace {
 

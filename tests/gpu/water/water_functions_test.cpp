@@ -6,7 +6,7 @@
 
 #include "spirv/glitter_patches.comp.h"
 #include "spirv/shore_rows.comp.h"
-#include "tests/gpu/rig/shader_functions.h"
+#include "tests/gpu/shaders/shader_functions.h"
 
 namespace {
 
