@@ -3,7 +3,9 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 
-// In place of a body's, and of the maps that it binds.
+// In place of a body's, of the maps that it binds, and of warped waves.
+#define BODY_GLSL
+#define WAVE_WARP_GLSL
 const int shoreMapBinding = 6, shoreSignalBinding = 0;
 struct Water {
     vec4 shoreSignal, shoreForm, shorePlace;
