@@ -81,6 +81,16 @@ TEST(Flip, IsWhatThePaperComputes) {
                       {63, 47, 0.000000}});
 }
 
+TEST(Flip, OfStepsOfAByteIsThatOfValuesBesideThem) {
+    const Painted steps = encoded(true);
+    Painted beside = steps;
+    for (float& value : beside.rgba) value = std::nextafter(value, 0.5f);
+    EXPECT_LT(greatest(flip(steps.view(), beside.view())), 2e-3);
+    const float nan = std::nanf("");
+    const Painted none = tests::painted(width, height, [nan](int, int, int) { return nan; });
+    EXPECT_EQ(greatest(flip(none.view(), grey(width, height, 0).view())), 0) << "NaN is black";
+}
+
 TEST(HdrFlip, IsWhatThePaperComputes) {
     const demos::HdrFlip hdr = hdrFlip(linear(false).view(), linear(true).view());
     EXPECT_NEAR(hdr.exposures.startEv, -2.736031, 2e-6);

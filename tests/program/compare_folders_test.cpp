@@ -131,6 +131,15 @@ TEST_F(CompareFolders, WritesJsonAndJUnit) {
     EXPECT_NE(xml.find("name=\"deep/er/b.png\"/>"), std::string::npos) << xml;
 }
 
+TEST_F(CompareFolders, AFullDiskKeepsNoVerdictBack) {
+    write("out/c.png", 6);
+    const Outcome outcome = tests::run(
+        SEAGLASS_PROGRAM, {{"compare", "ref", "out", "--tolerant", "--json", "j.json"}, {}, at(""), 64});
+    expectSays(outcome, 2, "j.json: cannot be written, is the disk full?; different: c.png: ");
+    EXPECT_TRUE(outcome.out.starts_with("same: a.png\ndifferent: c.png: ")) << outcome.out;
+    EXPECT_FALSE(fs::exists(at("j.json")));
+}
+
 TEST_F(CompareFolders, NamesMayHoldAnything) {
     write("out/it's new.png");
     write("out/\xe9\x01\xc3\xa9\xed\xa0\x80.png");

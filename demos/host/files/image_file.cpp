@@ -1,6 +1,8 @@
 #include "host/files/image_file.h"
 
+#include <cstring>
 #include <fstream>
+#include <utility>
 
 #include <unistd.h>
 
@@ -66,6 +68,28 @@ bool writeWhole(const std::filesystem::path& file, const std::string& format, co
     return false;
 }
 
+/// Else some of the picture's pixels are in no file.
+bool covers(const ImageWindow& data, const ImageWindow& display) {
+    return data.x <= display.x && data.y <= display.y && data.x + data.width >= display.x + display.width &&
+           data.y + data.height >= display.y + display.height;
+}
+
+void putRow(const ImageRow& row, Picture& picture) {
+    const auto place = [&picture](int x, int y) {
+        return picture.rgba.data() + 4 * (static_cast<size_t>(y) * picture.width + static_cast<size_t>(x));
+    };
+    if (row.stepX == 1 && row.stepY == 0) {
+        std::memcpy(place(row.x, row.y), row.rgba.data(), row.rgba.size_bytes());
+        return;
+    }
+    int x = row.x, y = row.y;
+    for (const glm::vec4& pixel : row.rgba) {
+        std::memcpy(place(x, y), &pixel, sizeof(pixel));
+        x += row.stepX;
+        y += row.stepY;
+    }
+}
+
 } // namespace
 
 bool writePng(const std::filesystem::path& file, uint32_t width, uint32_t height,
@@ -93,27 +117,19 @@ bool writeExr(const std::filesystem::path& file, const Picture& picture, Error& 
 }
 
 std::optional<PictureFile> readPictureFile(const std::filesystem::path& file, const LayerChoice& choice,
-                                           const limits::Allowance& pixels, Error& error) {
+                                           const limits::Allowance& pixels, Error& error,
+                                           std::vector<float> spent) {
     std::optional<ImageSource> source = ImageSource::open(file, choice, pixels, error);
     if (!source) return std::nullopt;
     PictureFile out{{}, source->header()};
-    const size_t width = out.header.width, height = out.header.height;
     Picture& picture = out.picture;
     picture.width = out.header.width;
     picture.height = out.header.height;
-    picture.rgba.assign(width * height * 4, 0.0f);
-    const bool read = source->read(
-        [&picture](const ImageRow& row) {
-            int x = row.x, y = row.y;
-            for (const glm::vec4& pixel : row.rgba) {
-                const size_t at = 4 * (static_cast<size_t>(y) * picture.width + static_cast<size_t>(x));
-                for (int i = 0; i < 4; ++i) picture.rgba[at + static_cast<size_t>(i)] = pixel[i];
-                x += row.stepX;
-                y += row.stepY;
-            }
-        },
-        error);
-    return read ? std::optional(std::move(out)) : std::nullopt;
+    picture.rgba = std::move(spent);
+    if (!covers(out.header.data, out.header.display)) picture.rgba.clear();
+    picture.rgba.resize(size_t{4} * picture.width * picture.height);
+    const auto put = [&picture](const ImageRow& row) { putRow(row, picture); };
+    return source->read(put, error) ? std::optional(std::move(out)) : std::nullopt;
 }
 
 std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error) {

@@ -27,8 +27,10 @@ struct PictureFile {
 
 /// Reads PNG, EXR or HDR of up to 16384 pixels each way, and as many in all as its bytes allow. Grey is
 /// spread to RGB; a missing alpha is 1; light is of Rec. 709. Integers stay as they are encoded, 0..1.
+/// The picture takes the memory of `spent`, as far as that goes: the system clears all that is new.
 std::optional<PictureFile> readPictureFile(const std::filesystem::path& file, const LayerChoice& choice,
-                                           const limits::Allowance& pixels, Error& error);
+                                           const limits::Allowance& pixels, Error& error,
+                                           std::vector<float> spent = {});
 /// The same of a file whose picture need not be asked for by name.
 std::optional<Picture> readPicture(const std::filesystem::path& file, Error& error);
 

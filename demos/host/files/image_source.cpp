@@ -18,6 +18,7 @@
 #include "host/files/quiet.h"
 #include "host/files/radiance_header.h"
 #include "host/files/unpacking.h"
+#include "host/files/whole_pixels.h"
 #include "scene/reading/input_file.h"
 
 namespace demos {
@@ -211,18 +212,6 @@ glm::vec3 broughtToSRgb(const glm::vec3& color, const ColorMeaning& meaning) {
     return {sRgbOf(light.r), sRgbOf(light.g), sRgbOf(light.b)};
 }
 
-/// The greatest value of an integer format, 0 for others.
-double greatestOf(OIIO::TypeDesc format) {
-    if (format.is_floating_point()) return 0;
-    return std::pow(2.0, static_cast<double>(8 * format.basesize())) - 1;
-}
-
-/// The nearest of 0, 1 / greatest, 2 / greatest, ... 1 to a value of these.
-float wholeSteps(float value, double greatest) {
-    const auto step = static_cast<int64_t>(static_cast<double>(value) * greatest + 0.5);
-    return static_cast<float>(static_cast<double>(step) / greatest);
-}
-
 /// By the first bytes, whatever its name is. Empty: none that is read.
 std::string formatOf(const std::filesystem::path& file) {
     std::array<char, 4> bytes{};
@@ -251,6 +240,7 @@ struct ImageSource::Opened {
     ImageLayer layer;
     ColorMeaning meaning;
     ImageHeader header;
+    std::vector<uint16_t> wholes; ///< a band as the file has it, of up to 16 bits a value
 
     bool openAs(const std::string& format, const std::filesystem::path& file, const limits::Allowance& pixels,
                 Error& error);
@@ -261,6 +251,8 @@ struct ImageSource::Opened {
     void describe();
     void nameChannels(const std::vector<ImagePart>& parts);
     bool readBand(int y, int rows, std::vector<glm::vec4>& out);
+    bool readWholes(int y, int rows, std::vector<glm::vec4>& out);
+    bool readFloats(int y, int rows, std::vector<glm::vec4>& out);
     void convert(std::span<glm::vec4> pixels) const;
     void visitRow(int y, std::span<const glm::vec4> pixels,
                   const std::function<void(const ImageRow&)>& visit) const;
@@ -387,6 +379,27 @@ void ImageSource::Opened::nameChannels(const std::vector<ImagePart>& parts) {
 }
 
 bool ImageSource::Opened::readBand(int y, int rows, std::vector<glm::vec4>& out) {
+    return header.integer ? readWholes(y, rows, out) : readFloats(y, rows, out);
+}
+
+/// OpenImageIO would multiply by a rounded inverse: then 8 and 16 bits of one value are not the same.
+bool ImageSource::Opened::readWholes(int y, int rows, std::vector<glm::vec4>& out) {
+    const auto channels = static_cast<size_t>(spec.nchannels);
+    const size_t pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(rows);
+    const bool bytes = spec.format == OIIO::TypeDesc::UINT8;
+    wholes.resize(pixels * channels);
+    if (!input->read_scanlines(layer.part, 0, y, y + rows, spec.z, 0, spec.nchannels,
+                               bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16, wholes.data()))
+        return false;
+    const std::span<glm::vec4> to(out.data(), pixels);
+    if (bytes)
+        spreadWholes(reinterpret_cast<const uint8_t*>(wholes.data()), channels, layer.channels, to);
+    else
+        spreadWholes(wholes.data(), channels, layer.channels, to);
+    return true;
+}
+
+bool ImageSource::Opened::readFloats(int y, int rows, std::vector<glm::vec4>& out) {
     constexpr auto pixel = static_cast<OIIO::stride_t>(sizeof(glm::vec4));
     for (const Run& run : runsOf(layer.channels)) {
         float* const at = &out.front()[0] + run.slot;
@@ -398,28 +411,23 @@ bool ImageSource::Opened::readBand(int y, int rows, std::vector<glm::vec4>& out)
                                                     OIIO::TypeDesc::FLOAT, at, pixel, pixel * spec.width);
         if (!ok) return false;
     }
+    const bool grey = layer.channels[1] < 0, opaque = layer.channels[3] < 0;
+    const bool ofTwo = !grey && layer.channels[2] < 0;
+    for (glm::vec4& to : std::span(out.data(), static_cast<size_t>(spec.width) * static_cast<size_t>(rows))) {
+        if (grey) to.g = to.b = to.r;
+        if (ofTwo) to.b = 0;
+        if (opaque) to.a = 1;
+    }
     return true;
 }
 
 void ImageSource::Opened::convert(std::span<glm::vec4> pixels) const {
-    const bool grey = layer.channels[1] < 0, opaque = layer.channels[3] < 0;
-    const bool ofTwo = !grey && layer.channels[2] < 0;
-    const double greatest = greatestOf(spec.channelformat(layer.channels[0]));
-    const bool plain =
-        meaning.scale == glm::dvec3(1) && meaning.rec709 == glm::dmat3(1) && meaning.gamma == 0;
+    if (meaning.scale == glm::dvec3(1) && meaning.rec709 == glm::dmat3(1) && meaning.gamma == 0) return;
     const glm::mat3 matrix(meaning.rec709 *
                            glm::dmat3(meaning.scale.r, 0, 0, 0, meaning.scale.g, 0, 0, 0, meaning.scale.b));
-    for (glm::vec4& pixel : pixels) {
-        if (grey) pixel.g = pixel.b = pixel.r;
-        if (ofTwo) pixel.b = 0;
-        if (opaque) pixel.a = 1;
-        // OpenImageIO multiplies by a rounded inverse: then 8 and 16 bits of one value are not the same.
-        if (greatest > 0)
-            for (int i = 0; i < 4; ++i) pixel[i] = wholeSteps(pixel[i], greatest);
-        if (!plain)
-            pixel =
-                glm::vec4(greatest > 0 ? broughtToSRgb(pixel, meaning) : matrix * glm::vec3(pixel), pixel.a);
-    }
+    for (glm::vec4& pixel : pixels)
+        pixel =
+            glm::vec4(header.integer ? broughtToSRgb(pixel, meaning) : matrix * glm::vec3(pixel), pixel.a);
 }
 
 void ImageSource::Opened::visitRow(int y, std::span<const glm::vec4> pixels,

@@ -1,6 +1,7 @@
 #include "metrics/flip.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -99,6 +100,30 @@ void flipOfStrip(const PixelView& reference, const PixelView& test, const Strip&
     }
 }
 
+/// Almost all values are one of a byte's, of which the light is known.
+class SrgbTable {
+  public:
+    SrgbTable() {
+        for (size_t step = 0; step < steps; ++step) {
+            encoded_[step] = static_cast<float>(step) / (steps - 1);
+            light_[step] = decodeSrgb(encoded_[step]);
+        }
+    }
+
+    void decode(std::vector<float>& row) const {
+        for (float& value : row) {
+            const float inside = std::max(0.0f, std::min(value, 1.0f)); // 0 of NaN: no place in the table
+            const auto step = static_cast<size_t>(static_cast<int>(inside * (steps - 1) + 0.5f));
+            value = encoded_[step] == inside ? light_[step] : decodeSrgb(inside);
+        }
+    }
+
+  private:
+    static constexpr size_t steps = 256;
+
+    std::array<float, steps> encoded_, light_;
+};
+
 } // namespace
 
 std::vector<float> flipOf(const PixelView& reference, const PixelView& test, const ToLight& toLight,
@@ -113,10 +138,9 @@ std::vector<float> flipOf(const PixelView& reference, const PixelView& test, con
 }
 
 std::vector<float> flip(const PixelView& reference, const PixelView& test, float pixelsPerDegree) {
-    const auto decode = [](std::vector<float>& row) {
-        for (float& value : row) value = decodeSrgb(std::clamp(value, 0.0f, 1.0f));
-    };
-    return flipOf(reference, test, decode, pixelsPerDegree);
+    const SrgbTable table;
+    return flipOf(
+        reference, test, [&table](std::vector<float>& row) { table.decode(row); }, pixelsPerDegree);
 }
 
 } // namespace demos

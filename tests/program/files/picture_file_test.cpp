@@ -203,6 +203,57 @@ TEST_F(PictureFile, IsItsDisplayWindowWhateverTheDataWindow) {
     EXPECT_EQ(reds(read(write({beyond}))), (Floats{6, 7, 10, 11}));
 }
 
+TEST_F(PictureFile, MayTakeTheMemoryOfAnother) {
+    Part cropped = numbered(2, 1);
+    cropped.spec.full_width = 3;
+    cropped.spec.full_height = 2;
+    const auto readInto = [](const fs::path& file, size_t values) {
+        demos::Error error;
+        return demos::readPictureFile(file, {{}, "--layer"}, demos::limits::comparedPixels, error,
+                                      std::vector<float>(values, 9));
+    };
+    for (const Part& part : {cropped, numbered(3, 2)}) {
+        const fs::path file = write({part});
+        for (const size_t values : {0, 5, 24, 200})
+            EXPECT_EQ(readInto(file, values).value().picture.rgba, read(file).picture.rgba) << values;
+    }
+}
+
+template<class Whole>
+void expectShares(const demos::PictureFile& file, const std::vector<Whole>& wholes, size_t channels) {
+    const auto share = [](Whole value) {
+        return static_cast<float>(static_cast<double>(value) /
+                                  static_cast<double>(std::numeric_limits<Whole>::max()));
+    };
+    const bool grey = channels < 3, opaque = channels % 2 == 1;
+    for (size_t i = 0; i < wholes.size() / channels; ++i) {
+        for (size_t slot = 0; slot < 4; ++slot) {
+            const size_t channel = slot == 3 ? channels - 1 : grey ? 0 : slot;
+            const float expected = slot == 3 && opaque ? 1 : share(wholes[i * channels + channel]);
+            ASSERT_EQ(file.picture.rgba[4 * i + slot], expected) << i << ", " << slot << " of " << channels;
+        }
+    }
+}
+
+TEST_F(PictureFile, OfWholeNumbersIsTheirShareOfTheGreatest) {
+    const auto expectRead = [this]<class Whole>(Whole /*of a kind*/, OIIO::TypeDesc type) {
+        for (const int channels : {1, 2, 3, 4}) {
+            const fs::path file = folder_.path() / "a.png";
+            OIIO::ImageSpec spec(256, 256, channels, type);
+            if (channels % 2 == 0) spec.alpha_channel = channels - 1;
+            spec.attribute("oiio:UnassociatedAlpha", 1);
+            std::vector<Whole> wholes(size_t{256} * 256 * static_cast<size_t>(channels));
+            for (size_t i = 0; i < wholes.size(); ++i) wholes[i] = static_cast<Whole>(i);
+            const auto output = OIIO::ImageOutput::create("png");
+            ASSERT_TRUE(output->open(file.string(), spec) && output->write_image(type, wholes.data()) &&
+                        output->close());
+            expectShares(read(file), wholes, static_cast<size_t>(channels));
+        }
+    };
+    expectRead(uint8_t{}, OIIO::TypeDesc::UINT8);
+    expectRead(uint16_t{}, OIIO::TypeDesc::UINT16);
+}
+
 TEST_F(PictureFile, ThePictureIsToldFromOtherLayers) {
     const auto expectFirst = [&](const std::vector<Part>& parts, const Floats& color, const char* layer) {
         const demos::PictureFile file = read(write(parts));

@@ -57,19 +57,21 @@ CompareOptions optionsOf(CompareOptions options, const fs::path& name) {
 }
 
 /// `folder` is the pair's in the report.
-Judged measured(const CompareOptions& one, const fs::path& name, const std::string& folder) {
+Judged measured(const CompareOptions& one, const fs::path& name, const std::string& folder,
+                SpentPixels& spent) {
     Error error;
-    const std::optional<Pair> pair = measurePair(one, error);
+    std::optional<Pair> pair = measurePair(one, error, std::move(spent));
     if (!pair) return {name.string(), badInput, error.text, {}};
     Judged judged = judgedPair(one, *pair);
     judged.name = name.string();
     if (!one.report.empty() && !addSection(one, *pair, folder, judged, error))
         return {name.string(), badInput, error.text, {}};
+    spent = {std::move(pair->reference.picture.rgba), std::move(pair->test.picture.rgba)};
     return judged;
 }
 
 Judged judgedPairOfFiles(const CompareOptions& options, const fs::path& name, const PairOfFiles& files,
-                         const std::string& folder) {
+                         const std::string& folder, SpentPixels& spent) {
     const std::string reference = (options.reference / name).string(), test = (options.test / name).string();
     if (!files.problem.empty()) return {name.string(), badInput, files.problem, {}};
     if (!files.inReference) {
@@ -81,16 +83,16 @@ Judged judgedPairOfFiles(const CompareOptions& options, const fs::path& name, co
     }
     if (!files.inTest)
         return {name.string(), different, "no picture " + test + ", expected one as " + reference, {}};
-    return measured(optionsOf(options, name), name, folder);
+    return measured(optionsOf(options, name), name, folder, spent);
 }
 
 /// `number` is the pair's among all, of which its folder in the report has its name.
 Judged judgedFiles(const CompareOptions& options, const fs::path& name, const PairOfFiles& files,
-                   size_t number) {
+                   size_t number, SpentPixels& spent) {
     const std::string folder = "pictures/" + std::to_string(number) + "/",
                       test = (options.test / name).string();
     try {
-        Judged judged = judgedPairOfFiles(options, name, files, folder);
+        Judged judged = judgedPairOfFiles(options, name, files, folder, spent);
         Error error;
         const bool unpaired = judged.section.empty() && !options.report.empty() && files.problem.empty();
         if (unpaired && !addUnpaired(optionsOf(options, name), folder, judged, error))
@@ -108,12 +110,13 @@ std::vector<Judged> judgedAll(const CompareOptions& options, const PicturePairs&
     const std::vector<Sequence> sequences = options.flicker ? sequencesOf(pairs) : std::vector<Sequence>();
     std::vector<Judged> all(list.size() + sequences.size());
     std::atomic<size_t> next = 0;
-    const auto judged = [&](size_t i) {
-        return i < list.size() ? judgedFiles(options, list[i].first, list[i].second, i)
+    const auto judged = [&](size_t i, SpentPixels& spent) {
+        return i < list.size() ? judgedFiles(options, list[i].first, list[i].second, i, spent)
                                : judgedSequence(options, sequences[i - list.size()]);
     };
     const auto work = [&] {
-        for (size_t i = next++; i < all.size(); i = next++) all[i] = judged(i);
+        SpentPixels spent;
+        for (size_t i = next++; i < all.size(); i = next++) all[i] = judged(i, spent);
     };
     // Around all of them: each picture that is read has one of its own, which threads would mix up.
     const QuietStderr quiet;
@@ -178,6 +181,13 @@ void say(const std::vector<Judged>& all, Error& error) {
     if (!other.empty()) error.text += (bad.empty() ? "different: " : "; different: ") + other;
 }
 
+bool writeOutputs(const CompareOptions& options, const std::vector<Judged>& all, ExitCode code,
+                  Error& error) {
+    return (options.json.empty() || writeText(options.json, jsonOf(all, code), error)) &&
+           (options.junit.empty() || writeText(options.junit, junitXml(all), error)) &&
+           (options.report.empty() || writeReport(options.report, all, error));
+}
+
 } // namespace
 
 bool areFolders(const CompareOptions& options) {
@@ -197,11 +207,12 @@ ExitCode compareFolders(const CompareOptions& options, Error& error) {
     options.stages.nameFirst(all);
     for (Judged& one : all) one.advice = options.advice;
     const ExitCode code = worst(all);
-    if (!options.json.empty() && !writeText(options.json, jsonOf(all, code), error)) return badInput;
-    if (!options.junit.empty() && !writeText(options.junit, junitXml(all), error)) return badInput;
-    if (!options.report.empty() && !writeReport(options.report, all, error)) return badInput;
+    Error unwritten;
+    const bool written = writeOutputs(options, all, code, unwritten);
     say(all, error);
-    return code;
+    if (written) return code;
+    error.text = unwritten.text + (error.text.empty() ? "" : "; ") + error.text;
+    return badInput;
 }
 
 } // namespace demos

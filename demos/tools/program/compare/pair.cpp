@@ -39,9 +39,11 @@ std::optional<PictureKind> commonKind(const CompareOptions& options, const Image
     return reference.integer ? PictureKind::display : PictureKind::linear;
 }
 
-std::optional<PictureFile> read(const fs::path& file, const std::string& layer, bool large, Error& error) {
+std::optional<PictureFile> read(const fs::path& file, const std::string& layer, bool large, Error& error,
+                                std::vector<float>& spent) {
     const limits::Allowance pixels = large ? limits::largePixels : limits::comparedPixels;
-    std::optional<PictureFile> picture = readPictureFile(file, {layer, "--layer", true}, pixels, error);
+    std::optional<PictureFile> picture =
+        readPictureFile(file, {layer, "--layer", true}, pixels, error, std::move(spent));
     // Most errors say what was expected; the libraries' own do not.
     if (!picture && error.text.find(", expected ") == std::string::npos)
         error.text += ", expected a PNG, EXR or HDR picture";
@@ -117,9 +119,11 @@ Limits limitsOf(const CompareOptions& options, PictureKind kind) {
     const auto fill = [](auto& given, const auto& usual) {
         if (!given) given = usual;
     };
+    // Both are of the whole picture: one limit of the user's replaces both.
+    if (!limits.flipMean) limits.differenceMean = tolerant.differenceMean;
     fill(limits.flipMean, tolerant.flipMean);
     fill(limits.flipP99, tolerant.flipP99);
-    // Both are of single pixels: one limit of the user's replaces both.
+    // Likewise of single pixels.
     if (!limits.flipMax) limits.outliers = tolerant.outliers;
     fill(limits.flipMax, tolerant.flipMax);
     fill(limits.flipLocal, tolerant.flipLocal);
@@ -147,14 +151,14 @@ void sayWhere(Pair& pair) {
 
 } // namespace
 
-std::optional<Pair> readPair(const CompareOptions& options, Error& error) {
+std::optional<Pair> readPair(const CompareOptions& options, Error& error, SpentPixels spent) {
     if (!checkExtension(options.reference, error) || !checkExtension(options.test, error) ||
         !checkReference(options, error))
         return std::nullopt;
     std::optional<PictureFile> reference =
-        read(options.reference, options.referenceLayer, options.large, error);
+        read(options.reference, options.referenceLayer, options.large, error, spent.reference);
     if (!reference) return std::nullopt;
-    std::optional<PictureFile> test = read(options.test, options.testLayer, options.large, error);
+    std::optional<PictureFile> test = read(options.test, options.testLayer, options.large, error, spent.test);
     if (!test) return std::nullopt;
     const std::optional<PictureKind> kind = commonKind(options, reference->header, test->header, error);
     if (!kind) return std::nullopt;
@@ -179,8 +183,8 @@ std::optional<Pair> readPair(const CompareOptions& options, Error& error) {
     return pair;
 }
 
-std::optional<Pair> measurePair(const CompareOptions& options, Error& error) {
-    std::optional<Pair> pair = readPair(options, error);
+std::optional<Pair> measurePair(const CompareOptions& options, Error& error, SpentPixels spent) {
+    std::optional<Pair> pair = readPair(options, error, std::move(spent));
     if (!pair) return std::nullopt;
     pair->comparison =
         compare(view(pair->expected()), view(pair->actual()), pair->kind, pair->limits, pair->leftOut);

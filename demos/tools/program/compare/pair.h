@@ -20,11 +20,16 @@ struct Pair {
     const Picture& actual() const { return test.picture; }
 };
 
+/// Of pictures that were compared: the next ones take it, because the system clears all that is new.
+struct SpentPixels {
+    std::vector<float> reference, test;
+};
+
 /// Both pictures, and by what they are to be compared. Null with `error` set when they cannot be.
-std::optional<Pair> readPair(const CompareOptions& options, Error& error);
+std::optional<Pair> readPair(const CompareOptions& options, Error& error, SpentPixels spent = {});
 
 /// Likewise, and compared.
-std::optional<Pair> measurePair(const CompareOptions& options, Error& error);
+std::optional<Pair> measurePair(const CompareOptions& options, Error& error, SpentPixels spent = {});
 
 /// Objections on one line.
 std::string joined(const std::vector<std::string>& objections);
