@@ -94,7 +94,7 @@ TEST(Alpha, ThatIsLostIsNamed) {
 TEST(Alpha, OfOnePixelFailsByHowMuchItIsOff) {
     Painted one = harbour();
     one.at(3, 3, 3) = 0.25f;
-    EXPECT_NE(judged(harbour(), one, PictureKind::display).find("off by more than 0.5 from all around"),
+    EXPECT_NE(judged(harbour(), one, PictureKind::display).find("off by more than 0.35 from all around"),
               std::string::npos);
     one.at(3, 3, 3) = 0.75f;
     EXPECT_EQ(judged(harbour(), one, PictureKind::display), "");

@@ -154,7 +154,7 @@ TEST_F(Compare, ALimitLeavesTheOtherTolerantOnes) {
                                          "--max-wrong", "1", "--max-local", "1"});
         return compare(options);
     };
-    constexpr const char *single = "off by more than 0.5 from all around is",
+    constexpr const char *single = "off by more than 0.35 from all around is",
                          *step = "off by more than 0.01176 is 1";
     expectDifferent(with("spot.png", {}), single);
     expectSame(with("spot.png", {"--max-diff", "0.8"}));

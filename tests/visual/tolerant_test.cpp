@@ -106,9 +106,9 @@ struct Defect {
     Picture picture;
 };
 
-constexpr const char *mean = "mean FLIP", *p99 = "99th percentile", *blob = "lie together",
-                     *local = "of the square", *step = "off by more than 0.01176",
-                     *single = "off by more than 0.5", *notFinite = "NaN";
+constexpr const char *mean = "mean FLIP", *fine = "mean difference", *p99 = "99th percentile",
+                     *blob = "lie together", *local = "of the square", *step = "off by more than 0.01176",
+                     *single = "off by more than 0.35", *notFinite = "NaN";
 
 std::vector<Defect> localDefects() {
     const auto glow = [](float value, int x, int y, int) {
@@ -154,6 +154,13 @@ std::vector<Defect> localDefects() {
          changed([](float v, int x, int y,
                     int c) { return (v + goldenAt(x + 1, y, c) + goldenAt(x, y + 1, c)) / 3; },
                  {52, 33, 40, 30})},
+        {"two by two pixels are stuck at black", single, filled(0, {80, 80, 2, 2})},
+        {"a block of eight by eight is stuck", blob,
+         changed([](float, int, int, int c) { return goldenAt(75, 51, c); }, {72, 48, 8, 8})},
+        {"a tile is 5 % darker", local,
+         changed([](float old, int, int, int) { return 0.95f * old; }, {64, 48, 16, 16})},
+        {"a line a pixel wide is missing", local, moved(2, 0, {75, 40, 1, 25})},
+        {"a row is three pixels off", p99, moved(3, 0, {0, 60, width, 1})},
         {"whitecaps are off", blob,
          changed([](float old, int, int, int) { return std::min(old, 0.55f); }, {90, 55, 14, 9})},
     };
@@ -196,7 +203,24 @@ std::vector<Defect> wholeDefects() {
         {"four bits", mean, of([](float v) { return std::round(v * 15) / 15; })},
         {"five bits", step, of([](float v) { return std::round(v * 31) / 31; })},
         {"dithering changed", mean, noisy(2.0f / 255, 1, 7)},
+        {"every other pixel is a step of 255 off", fine, changed([](float v, int x, int y, int) {
+             return std::clamp(v + ((x + y) % 2 ? 1.0f : -1.0f) / 255, 0.0f, 1.0f);
+         })},
         {"noise", step, noisy(0.06f, 1, 2)},
+        {"the upper half is half a pixel off", mean,
+         changed([](float v, int x, int y, int c) { return (v + goldenAt(x, y + 1, c)) / 2; },
+                 {0, 0, width, height / 2})},
+        {"mirror images are 10 % too dark", mean,
+         changed([](float v, int, int, int) { return 0.9f * v; }, {0, 50, width, 40})},
+        {"the right half is 1 % brighter", mean,
+         changed([](float v, int, int, int) { return std::min(1.01f * v, 1.0f); },
+                 {width / 2, 0, width / 2, height})},
+        {"another hue by 2 %", mean, changed([](float v, int x, int y, int c) {
+             return 0.98f * v + 0.02f * goldenAt(x, y, (c + 1) % 3);
+         })},
+        {"rows are swapped in pairs", mean,
+         changed([](float, int x, int y, int c) { return goldenAt(x, y ^ 1, c); })},
+        {"blacks are grey", mean, of([](float v) { return 0.02f + 0.98f * v; })},
         {"every other row is darker", step,
          changed([](float v, int, int y, int) { return y % 2 ? 0.9f * v : v; })},
         {"blurred", mean,

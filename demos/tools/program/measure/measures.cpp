@@ -123,6 +123,7 @@ std::string measuresJson(const Pair& pair, const CompareOptions& options) {
     json["difference"] = {{"mean", comparison.difference.mean},
                           {"max", comparison.difference.max},
                           {"alpha", comparison.difference.alpha}};
+    if (limits.differenceMean) json["difference"]["max_mean"] = *limits.differenceMean;
     if (limits.outliers)
         json["outliers"] = {{"pixels", comparison.outliers.pixels}, {"max_pixels", *limits.outliers}};
     json["shares"] = nlohmann::ordered_json::array();
