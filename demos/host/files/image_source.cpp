@@ -11,10 +11,10 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "host/files/color/icc_profile.h"
+#include "host/files/color/png_color.h"
+#include "host/files/color/primaries.h"
 #include "host/files/exr_header.h"
-#include "host/files/icc_profile.h"
-#include "host/files/png_color.h"
-#include "host/files/primaries.h"
 #include "host/files/quiet.h"
 #include "host/files/radiance_header.h"
 #include "host/files/unpacking.h"

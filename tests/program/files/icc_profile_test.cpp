@@ -4,7 +4,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include "demos/host/files/icc_profile.h"
+#include "demos/host/files/color/icc_profile.h"
 #include "demos/host/files/image_file.h"
 #include "tests/program/run.h"
 

@@ -1,4 +1,4 @@
-#include "host/files/icc_profile.h"
+#include "host/files/color/icc_profile.h"
 
 #include <algorithm>
 #include <array>

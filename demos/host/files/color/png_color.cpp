@@ -1,4 +1,4 @@
-#include "host/files/png_color.h"
+#include "host/files/color/png_color.h"
 
 #include <algorithm>
 #include <array>

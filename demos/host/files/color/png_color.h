@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "host/files/primaries.h"
+#include "host/files/color/primaries.h"
 
 namespace demos {
 

@@ -1,4 +1,4 @@
-#include "host/files/primaries.h"
+#include "host/files/color/primaries.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "host/files/primaries.h"
+#include "host/files/color/primaries.h"
 
 namespace demos {
 
