@@ -1,6 +1,7 @@
 // What every call of the API does first, what it lets out, and how hosts come to hold things and let go.
 #pragma once
 
+#include <algorithm>
 #include <initializer_list>
 #include <memory>
 #include <new>
@@ -50,7 +51,8 @@ inline Status refuseDestroyed(const char* call, const char* name, const Held& he
                           : Status::ok;
 }
 
-/// The same of an array's objects, nulls too.
+/// The same of an array's objects, nulls too, and those that are there twice: recorded twice, they would draw
+/// over themselves.
 template<typename Object>
 Status refuseUnusable(const char* call, const char* name, Object* const* objects, uint32_t count) {
     const Context* context = contextOf(objects, count);
@@ -61,6 +63,9 @@ Status refuseUnusable(const char* call, const char* name, Object* const* objects
                        : Status::invalidArgument;
         if (objects[i]->destroyed)
             return context->device.misused("%s: %s[%u] was destroyed before", call, name, i);
+        if (const auto first = std::find(objects, objects + i, objects[i]); first != objects + i)
+            return context->device.fail(Status::invalidArgument, "%s: %s[%u] is %s[%td] once more", call,
+                                        name, i, name, first - objects);
     }
     return Status::ok;
 }

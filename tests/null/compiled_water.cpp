@@ -190,7 +190,8 @@ void CompiledWater::makeKernels() {
               DepthSampleKernel, ColorSampleKernel, ResolvedColorKernel, FoamKernel, CastKernel,
               CastOnShoreKernel, GatherKernel, CausticBlurKernel, ShadowedCausticBlurKernel,
               UnseenTilesKernel>(*context_);
-    for (const VkFormat format : {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT}) {
+    for (const VkFormat format :
+         {VK_FORMAT_R32G32B32A32_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R16G16_SFLOAT}) {
         gpu::MipChain chain;
         (void)chain.create(*context_, format);
     }

@@ -99,11 +99,20 @@ TEST_F(Mistakes, NullsAreNamed) {
     expectRefused(planarView(body, &view, nullptr), "planarView: out is null");
     expectRefused(planarView(body, &view, &mirrored), "planarView: the body's reflection is the sky alone");
     Body* const bodies[] = {body, nullptr};
+    Body* const twice[] = {body, body};
     Reflector* const reflectors[] = {nullptr, reflector};
+    Reflector* const twoAlike[] = {reflector, reflector};
     recordOnly([&](VkCommandBuffer commands) {
         expectRefused(simulate(nullptr, &body, 1, 0), "simulate: commands is null");
         expectRefused(simulate(commands, bodies, 2, 0), "simulate: bodies[1] is null");
         expectRefused(reflect(commands, bodies, 2, &view), "reflect: bodies[1] is null");
+        expectRefused(simulate(commands, twice, 2, 0), "simulate: bodies[1] is bodies[0] once more");
+        expectRefused(reflect(commands, twice, 2, &view), "reflect: bodies[1] is bodies[0] once more");
+        expectRefused(reflect(commands, twoAlike, 2, &view),
+                      "reflect: reflectors[1] is reflectors[0] once more");
+        expectRefused(shade(commands, twice, 2, &view, &lighting), "shade: bodies[1] is bodies[0] once more");
+        expectRefused(draw(commands, target, twice, 2, &view, &lighting),
+                      "draw: bodies[1] is bodies[0] once more");
         expectRefused(reflect(commands, &body, 1, nullptr), "reflect: view is null");
         expectRefused(reflect(commands, reflectors, 2, &view), "reflect: reflectors[0] is null");
         expectRefused(recordOverlay(commands, reflector, &view, nullptr), "recordOverlay: desc is null");

@@ -387,9 +387,9 @@ TEST_F(Sspr, WhatTheViewDoesNotSeeCostsNothing) {
 
 TEST_F(Sspr, TooManyReflectorsAreRefusedBeforeAnyIsRecorded) {
     const ReflectorDesc desc;
-    Reflector* reflector = nullptr;
-    ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
-    const std::vector<Reflector*> many(maxReflectors + 1, reflector);
+    std::vector<Reflector*> many(maxReflectors + 1);
+    for (Reflector*& reflector : many)
+        ASSERT_EQ(createReflector(context(), &desc, &reflector), Status::ok) << message();
     const ViewDesc view = viewDesc(testCamera());
     spiedCalls().clear();
     frame([&](VkCommandBuffer commands) {
@@ -397,7 +397,7 @@ TEST_F(Sspr, TooManyReflectorsAreRefusedBeforeAnyIsRecorded) {
     });
     EXPECT_NE(message().find("count is 17, expected 16 at most"), std::string::npos) << message();
     EXPECT_EQ(countSpied("CmdDispatch"), 0u);
-    destroyReflector(reflector);
+    std::ranges::for_each(many, destroyReflector);
 }
 
 TEST_F(Sspr, TheSkyTechniqueHoldsNothing) {
