@@ -37,7 +37,7 @@ float noiseAt(vec3 at, int octave) {
 
 // An octave that is finer than what shows is its mean.
 float eddiesAt(vec3 at) {
-    float sum = 0.5, wave = 1.0, weight = 0.36;
+    float sum = 0.5, wave = 1.0, weight = 0.26;
     int octave = 0;
     do {
         float shows = smoothstep(0.8, 2.0, wave / texture_.x);
