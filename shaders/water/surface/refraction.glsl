@@ -132,10 +132,10 @@ BedPlane bedBeyond(const SurfacePoint s, inout Behind last, vec2 track, bool isS
     return plane;
 }
 
-// The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on beyond its last pixel.
-float depthBeyond(const SurfacePoint s, Behind last, vec3 perDepth, BedPlane plane) {
+// The depth at which a ray that goes `perDepth` a metre down meets a bed that goes on as that plane does.
+float depthBeyond(const SurfacePoint s, vec3 perDepth, BedPlane plane) {
     float depth = heightAbove(plane, s.position) / max(1.0 + dot(plane.slope, perDepth.xz), 0.2);
-    return clamp(depth, 0.0, 1.5 * (s.position.y - last.seen.y));
+    return clamp(depth, 0.0, 1.5 * (s.position.y - plane.place.y));
 }
 
 // Where the bed has no picture of its own, the scene's may show it in part, or things that float over none. So the ray is
@@ -539,7 +539,7 @@ bool goesOnBeyond(const SurfacePoint s, BentRay ray, const BedFound bed, out Beh
     if (!goesOn) return false;
     vec2 track = ray.perDepth.xy - ray.perDepth.w * ray.from.xy / ray.from.w;
     plane = bedBeyond(s, shown, track / max(length(track), 1e-6), surveysBed && bed.left);
-    drop = max(depthBeyond(s, shown, ray.direction, plane), bed.deepest);
+    drop = max(depthBeyond(s, ray.direction, plane), bed.deepest);
     Behind there = behindRayAt(ray, drop);
     bool met = drop < ray.leaves && isBelowWater(s, there) && abs(s.position.y - there.seen.y - drop) < 0.1 * drop;
     if (met) shown = there;
@@ -563,7 +563,7 @@ Through throughBed(const SurfacePoint s, BentRay ray, const BedFound bed, inout 
     vec4 color = bedColorBy(s, taps, found, drop, plane);
     if (isSurveyed) {
         found.seen = plane.place;
-        drop = max(depthBeyond(s, found, ray.direction, plane), bed.deepest);
+        drop = max(depthBeyond(s, ray.direction, plane), bed.deepest);
     }
     float wayPerDepth = length(ray.direction);
     float path = mix(length(found.seen - s.position), drop * wayPerDepth, water.refractionDistortion);
