@@ -1,6 +1,7 @@
 #include "host/passes/sky_image.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -143,24 +144,78 @@ const glm::vec3& texelAcross(const std::vector<glm::vec3>& level, uint32_t size,
     return level[(size_t(face) * size + static_cast<size_t>(y)) * size + static_cast<size_t>(x)];
 }
 
+/// Bilinear, u in turns from +X towards +Z, v from the zenith to the nadir.
+glm::vec3 sampleAt(const SkyImage& image, double u, double v) {
+    const double x = (u - std::floor(u)) * image.width - 0.5, y = v * image.height - 0.5;
+    const double x0 = std::floor(x), y0 = std::floor(y);
+    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+    const size_t left = x0 < 0 ? image.width - 1 : static_cast<size_t>(x0);
+    const size_t right = left + 1 < image.width ? left + 1 : 0;
+    const auto row = [&](double r) {
+        return &image.radiance[static_cast<size_t>(std::clamp(r, 0.0, image.height - 1.0)) * image.width];
+    };
+    const glm::vec3 *const above = row(y0), *const below = row(y0 + 1);
+    return glm::mix(glm::mix(above[left], above[right], fx), glm::mix(below[left], below[right], fx), fy);
+}
+
+/// Where a row of a cube's largest level lies in a sky. Four faces stand around +Y and differ by quarter
+/// turns alone, the upper and lower face by their sign, so that few angles want to be computed. Each texel
+/// is sampled at 2x2 points.
+class CubeRow {
+  public:
+    CubeRow(uint32_t size, uint32_t y) : points_(2 * size), upright_(2 * points_), lying_(2 * points_) {
+        for (uint32_t j = 0; j < 2; ++j)
+            for (uint32_t i = 0; i < points_; ++i) {
+                const double s = texelCentre(i, points_), t = texelCentre(2 * int64_t(y) + j, points_);
+                const size_t at = j * points_ + i, mirrored = j * points_ + (points_ - 1 - i);
+                // The left half is the right one's mirror image.
+                const bool isLeft = i < points_ / 2;
+                const double across = std::sqrt(1 + s * s);
+                upright_[at] = isLeft ? LatLong{-std::atan(s) / (2 * pi), std::atan2(across, -t) / pi}
+                                      : LatLong{-upright_[mirrored].u, upright_[mirrored].v};
+                lying_[at] = isLeft
+                                 ? LatLong{std::atan2(t, s) / (2 * pi), std::atan2(std::hypot(s, t), 1) / pi}
+                                 : LatLong{0.5 - lying_[mirrored].u, lying_[mirrored].v};
+            }
+    }
+
+    /// The mean over a texel, of an image turned by so many turns.
+    glm::vec3 mean(const SkyImage& image, uint32_t face, uint32_t x, double turn) const {
+        glm::vec3 sum(0);
+        for (uint32_t j = 0; j < 2; ++j)
+            for (uint32_t i = 0; i < 2; ++i) {
+                const LatLong at = point(face, size_t{j} * points_ + 2 * x + i);
+                sum += sampleAt(image, at.u + turn, at.v);
+            }
+        return sum * 0.25f;
+    }
+
+  private:
+    struct LatLong {
+        double u = 0, v = 0;
+    };
+
+    LatLong point(uint32_t face, size_t at) const {
+        constexpr double turns[6] = {0, 0.5, 0, 0, 0.25, 0.75}; // of +X, -X, +Z and -Z
+        if (face == 2) return lying_[at];
+        if (face == 3) return {-lying_[at].u, 1 - lying_[at].v};
+        return {upright_[at].u + turns[face], upright_[at].v};
+    }
+
+    uint32_t points_;
+    std::vector<LatLong> upright_, lying_;
+};
+
 std::vector<glm::vec3> largestLevel(const SkyImage& image, uint32_t size, double rotationDeg,
                                     float intensity) {
     std::vector<glm::vec3> level(size_t(6) * size * size);
-    const double angle = glm::radians(-rotationDeg);
-    const double c = std::cos(angle), s = std::sin(angle);
-    OIIO::parallel_for(int64_t(0), int64_t(6 * size), [&](int64_t row) {
-        const auto face = static_cast<uint32_t>(row / size);
-        const double t = texelCentre(row % size, size);
-        for (uint32_t x = 0; x < size; ++x) {
-            glm::vec3 sum(0);
-            for (const double dt : {-0.5, 0.5})
-                for (const double ds : {-0.5, 0.5}) {
-                    const glm::dvec3 d =
-                        glm::normalize(faceDirection(face, texelCentre(x, size) + ds / size, t + dt / size));
-                    sum += sampleSky(image, {c * d.x - s * d.z, d.y, s * d.x + c * d.z});
-                }
-            level[static_cast<size_t>(row) * size + x] = sum * (0.25f * intensity);
-        }
+    const double turn = -rotationDeg / 360;
+    OIIO::parallel_for(int64_t(0), int64_t(size), [&](int64_t y) {
+        const CubeRow row(size, static_cast<uint32_t>(y));
+        for (uint32_t face = 0; face < 6; ++face)
+            for (uint32_t x = 0; x < size; ++x)
+                level[(size_t(face) * size + static_cast<size_t>(y)) * size + x] =
+                    row.mean(image, face, x, turn) * intensity;
     });
     return level;
 }
@@ -224,25 +279,16 @@ void integrate(const std::vector<glm::vec3>& level, uint32_t size, SkyLight& lig
     light.irradianceUp = glm::vec3(up * perTexel);
 }
 
+/// As fine as the image near its horizon, or twice as fine.
+uint32_t faceSizeFor(const SkyImage& image) {
+    return image.width > 1024 ? 512 : std::clamp(std::bit_ceil(image.width / 2), 64u, 256u);
+}
+
 } // namespace
 
 glm::vec3 sampleSky(const SkyImage& image, const glm::dvec3& direction) {
-    const double u = std::atan2(direction.z, direction.x) / (2 * pi);
-    const double v = std::acos(std::clamp(direction.y, -1.0, 1.0)) / pi;
-    const double x = u * image.width - 0.5, y = v * image.height - 0.5;
-    const double x0 = std::floor(x), y0 = std::floor(y);
-    const auto fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
-    const auto column = [&](double c) {
-        return static_cast<size_t>((static_cast<int64_t>(c) + 2 * int64_t(image.width)) % image.width);
-    };
-    const auto row = [&](double r) {
-        return static_cast<size_t>(std::clamp(r, 0.0, image.height - 1.0)) * image.width;
-    };
-    const auto at = [&](double c, double r) -> const glm::vec3& {
-        return image.radiance[row(r) + column(c)];
-    };
-    return glm::mix(glm::mix(at(x0, y0), at(x0 + 1, y0), fx),
-                    glm::mix(at(x0, y0 + 1), at(x0 + 1, y0 + 1), fx), fy);
+    return sampleAt(image, std::atan2(direction.z, direction.x) / (2 * pi),
+                    std::acos(std::clamp(direction.y, -1.0, 1.0)) / pi);
 }
 
 glm::vec3 sampleCube(const SkyCube& cube, const glm::dvec3& direction, float mip) {
@@ -337,7 +383,7 @@ ImageSun takeOutSun(SkyImage& image) {
 
 SkyLight filterSky(const SkyImage& image, double rotationDeg, double intensity) {
     SkyLight light;
-    light.cube.faceSize = image.width > 1024 ? 512 : 256;
+    light.cube.faceSize = faceSizeFor(image);
     light.cube.mips.push_back(
         largestLevel(image, light.cube.faceSize, rotationDeg, static_cast<float>(intensity)));
     for (uint32_t size = light.cube.faceSize; size > 1; size /= 2) {
