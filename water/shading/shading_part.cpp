@@ -19,6 +19,9 @@ namespace seaglass {
 
 namespace {
 
+/// CPU devices compile the kernels of a surface's sorted tiles in longer than smaller views gain by them.
+constexpr uint64_t sortedOnCpusFrom = 32768;
+
 /// Depth the other way round, of homogeneous coordinates: an involution.
 glm::dmat4 turnedDepth() {
     glm::dmat4 turn(1);
@@ -61,6 +64,7 @@ Status ShadingPart::addCost(const AskedBody& asked, Estimate& sum) {
 Status ShadingPart::create(Body& body, const BodyDesc&) {
     Context& context = *body.context;
     bySteps = takesSteps(context.device);
+    sortedFromPixels = context.device.isCpu() ? sortedOnCpusFrom : 0;
     if (const Status s = context.share(passes_); s != Status::ok) return s;
     if (const Status s = context.share(tiles_); s != Status::ok) return s;
     if (const Status s = context.share(completing_); s != Status::ok) return s;
@@ -108,9 +112,9 @@ Status ShadingPart::fit(Context& context, VkExtent2D region, SurfaceOutput outpu
     return Status::ok;
 }
 
-Status ShadingPart::getKernels(const SurfaceVariant& variant, ShadedBy& out) const {
+Status ShadingPart::getKernels(const SurfaceVariant& variant, bool sorted, ShadedBy& out) const {
     TileSorting sorting = tileSorting(variant);
-    if (!sortsTiles) sorting.mirrors = sorting.bed = false;
+    if (!sorted) sorting.mirrors = sorting.bed = false;
     out.pixelsPerShading = sorting.pixelsPerShading;
     if (const Status s = tiles_->get(sorting, out.listing); s != Status::ok) return s;
     if (sorting.pixelsPerShading > 1)
@@ -125,11 +129,12 @@ Status ShadingPart::record(Body& body, VkCommandBuffer commands, const SeenSurfa
     const SurfaceOutput output = seen.drawn.output;
     const bool isMotion = seen.drawn.isMotion();
     const SurfaceVariant variant = body.surfaceVariant(seen.drawn);
+    const VkExtent2D region = extentOf(geometry);
+    const bool sorted = uint64_t{region.width} * region.height >= sortedFromPixels;
     ShadedBy kernels;
     if (!isMotion)
-        if (const Status s = getKernels(variant, kernels); s != Status::ok) return s;
-    if (const Status s = fit(context, extentOf(geometry), output, kernels, picture); s != Status::ok)
-        return s;
+        if (const Status s = getKernels(variant, sorted, kernels); s != Status::ok) return s;
+    if (const Status s = fit(context, region, output, kernels, picture); s != Status::ok) return s;
     BodyBlock block = seen.block;
     block.clipFromRelative = clipFromRelative(geometry);
     if (isMotion) block.region.x = block.region.y = 0; // whose pixels are counted in these images
@@ -139,8 +144,7 @@ Status ShadingPart::record(Body& body, VkCommandBuffer commands, const SeenSurfa
                                               seen.mesh, resources, *seen.view.given, geometry);
         s != Status::ok || isMotion)
         return s;
-    return picture.shaded.record(context, commands, kernels, picture.found, std::move(resources),
-                                 extentOf(geometry));
+    return picture.shaded.record(context, commands, kernels, picture.found, std::move(resources), region);
 }
 
 Status ShadingPart::shade(Body& body, VkCommandBuffer commands, const ViewDesc& view,
@@ -233,8 +237,11 @@ Status ShadingPart::prepareShading(const Body& body, const PrepareCall& call, Su
         drawn.sides = sides;
         variant = body.surfaceVariant(drawn);
         if (drawn.isMotion()) continue;
-        ShadedBy kernels;
-        if (const Status s = getKernels(variant, kernels); s != Status::ok) return s;
+        for (const bool sorted : {true, false}) {
+            ShadedBy kernels;
+            if (!sorted && sortedFromPixels == 0) continue;
+            if (const Status s = getKernels(variant, sorted, kernels); s != Status::ok) return s;
+        }
     }
     return Status::ok;
 }

@@ -26,8 +26,9 @@ struct ShadingPart {
     /// Draws what shade() left over the host's pass. `seen`: as it was read for this call.
     Status place(Body& body, const DrawCall& call, SeenSurface& seen) const;
 
-    /// Tiles are shaded by kernels without what they do not need; false: all by the same, for comparison.
-    bool sortsTiles = true;
+    /// In views of so many pixels tiles are shaded by kernels without what they do not need; in smaller ones
+    /// all by the same.
+    uint64_t sortedFromPixels = 0;
     /// What shines through and what is mirrored is looked up by kernels of their own.
     bool bySteps = false;
     /// As shade() left them of SurfaceOutput::shaded.
@@ -59,7 +60,7 @@ struct ShadingPart {
                             Resources& out);
     Status placeView(Body& body, const DrawCall& call, const BodyView& view, const Picture& picture) const;
     Status placeSamples(Body& body, const DrawCall& call, SeenSurface& seen, const Picture& picture) const;
-    Status getKernels(const SurfaceVariant& variant, ShadedBy& out) const;
+    Status getKernels(const SurfaceVariant& variant, bool sorted, ShadedBy& out) const;
     Status prepareShading(const Body& body, const PrepareCall& call, SurfaceVariant& variant) const;
     Status record(Body& body, VkCommandBuffer commands, const SeenSurface& seen, Picture& picture);
 

@@ -68,7 +68,7 @@ class SurfaceTilesTest : public WaterTest, public testing::WithParamInterface<Pl
 
     WaterPicture shadedBy(bool sorted, bool bySteps = false) {
         shown_ = makeBody(body_);
-        shown_->find<ShadingPart>()->sortsTiles = sorted;
+        shown_->find<ShadingPart>()->sortedFromPixels = sorted ? 0 : UINT64_MAX;
         shown_->find<ShadingPart>()->bySteps = bySteps;
         return picture({shown_}, camera_, 5, SurfaceOutput::shaded, post());
     }
