@@ -51,7 +51,8 @@ FieldError badField(const DeviceDesc& desc) {
     return badField(deviceFields, &desc);
 }
 
-Status Context::shareMade(const void* what, Status (*make)(Context& context, std::shared_ptr<void>& out),
+Status Context::shareMade(Shared how, const void* what,
+                          Status (*make)(Context& context, std::shared_ptr<void>& out),
                           std::shared_ptr<void>& out) {
     const std::lock_guard sharing(sharing_);
     std::weak_ptr<void>& known = shared_[what];
@@ -60,6 +61,7 @@ Status Context::shareMade(const void* what, Status (*make)(Context& context, std
     const Status status = make(*this, out);
     if (status != Status::ok) out.reset();
     known = out;
+    if (out && how == Shared::kept) kept_.push_back(out);
     return status;
 }
 

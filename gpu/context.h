@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <vector>
 
 #include "gpu/device.h"
 #include "gpu/fields.h"
@@ -41,28 +42,41 @@ struct Context {
     /// Lets go of what the host destroyed in that slot.
     void releaseDestroyed(uint32_t ofSlot);
 
-    /// One T for all who ask for it while any of them lives: pipelines that several bodies use. T has
-    /// `Status create(Context&)`, which may share others. Any thread: who asks meanwhile waits.
+    /// One T for all who ask for it, which the context keeps: pipelines, which a body made anew would else
+    /// compile again. T has `Status create(Context&)`, which may share others. Any thread: who asks meanwhile
+    /// waits.
     template<typename T>
     Status share(std::shared_ptr<T>& out) {
-        std::shared_ptr<void> shared;
-        const Status status = shareMade(&tag<T>, makeFor<T>, shared);
-        out = std::static_pointer_cast<T>(shared);
-        return status;
+        return shareAs<T>(Shared::kept, out);
+    }
+    /// The same while any of them lives: what holds the host's memory.
+    template<typename T>
+    Status shareWhileUsed(std::shared_ptr<T>& out) {
+        return shareAs<T>(Shared::whileUsed, out);
     }
 
   private:
+    enum class Shared { kept, whileUsed };
+    template<typename T>
+    Status shareAs(Shared how, std::shared_ptr<T>& out) {
+        std::shared_ptr<void> shared;
+        const Status status = shareMade(how, &tag<T>, makeFor<T>, shared);
+        out = std::static_pointer_cast<T>(shared);
+        return status;
+    }
     template<typename T>
     static constexpr char tag = 0;
     template<typename T>
     static Status makeFor(Context& context, std::shared_ptr<void>& out) {
         return gpu::makeShared<T>(out).create(context);
     }
-    Status shareMade(const void* what, Status (*make)(Context& context, std::shared_ptr<void>& out),
+    Status shareMade(Shared how, const void* what,
+                     Status (*make)(Context& context, std::shared_ptr<void>& out),
                      std::shared_ptr<void>& out);
 
     std::recursive_mutex sharing_;
     std::unordered_map<const void*, std::weak_ptr<void>> shared_;
+    std::vector<std::shared_ptr<void>> kept_;
 };
 
 } // namespace seaglass

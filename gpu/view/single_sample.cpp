@@ -152,7 +152,7 @@ Status takeSamples(Context& context, VkCommandBuffer commands, const ViewGeometr
         dropSamples(context, samples.get(), scene.given.viewIndex);
         return Status::ok;
     }
-    if (const Status s = context.share(samples); s != Status::ok) return s;
+    if (const Status s = context.shareWhileUsed(samples); s != Status::ok) return s;
     if (std::exchange(scene.taken, true)) return Status::ok;
     return recordSingleSample(context, commands, view, *samples, scene.read);
 }

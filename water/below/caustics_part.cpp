@@ -95,9 +95,10 @@ void CausticsPart::fill(const Body& body, const BodyView& view, BodyBlock& block
 
 Status CausticsPart::prepare(const Body& body, const PrepareCall& call) const {
     Target& target = call.target;
-    if (call.lighting.shadow)
-        if (const Status s = target.prepared.keep<ShadowedCausticBlurKernel>(*body.context); s != Status::ok)
-            return s;
+    if (call.lighting.shadow) {
+        std::shared_ptr<ShadowedCausticBlurKernel> kept;
+        if (const Status s = body.context->share(kept); s != Status::ok) return s;
+    }
     if (call.output != SurfaceOutput::shaded || !holdsLight(target.desc)) return Status::ok;
     return prepareViewPass(target.viewPasses, variantOf(body));
 }

@@ -35,7 +35,7 @@ Status RefractionPart::reflect(Body& body, VkCommandBuffer commands, SceneOfCall
         dropSamples(context, singleSamples.get(), scene.given.viewIndex);
         return Status::ok;
     }
-    if (scene.taken) return context.share(singleSamples);
+    if (scene.taken) return context.shareWhileUsed(singleSamples);
     ViewGeometry geometry;
     if (const FieldError bad = body.readTurned(scene.given, true, geometry))
         return context.device.fail(Status::invalidArgument, "reflect: %s", bad.text());
@@ -75,10 +75,8 @@ Status RefractionPart::bind(Body& body, const BodyView& view, Resources& out) {
 
 Status prepareSamples(const Body& body, const PrepareCall& call) {
     if (!call.view || !hasScene(*call.view) || !isMultisampled(*call.view)) return Status::ok;
-    auto samples = std::make_shared<SingleSamples>();
-    if (const Status s = shareKernels(*body.context, *call.view, *samples); s != Status::ok) return s;
-    call.target.prepared.add(std::move(samples));
-    return Status::ok;
+    SingleSamples samples;
+    return shareKernels(*body.context, *call.view, samples);
 }
 
 Status RefractionPart::prepare(const Body& body, const PrepareCall& call) const {

@@ -39,7 +39,7 @@ Status FoamPart::addCost(const AskedBody& asked, Estimate& sum) {
 }
 
 Status FoamPart::create(Body& body, const BodyDesc& desc) {
-    if (const Status s = body.context->share(pattern); s != Status::ok) return s;
+    if (const Status s = body.context->shareWhileUsed(pattern); s != Status::ok) return s;
     return foam.create(*body.context, *body.sea, *desc.foam, chosenBackend(body.context->device, desc));
 }
 

@@ -61,7 +61,7 @@ Status Placing::create(Context& context, const BodyDesc& desc, const Sea* sea, d
         outline = outlineOf(desc.extent);
     if (desc.extent.shape == ExtentShape::mesh)
         return hostMesh.emplace().create(context.device, desc.extent, *outline);
-    return context.share(indices);
+    return context.shareWhileUsed(indices);
 }
 
 SurfaceShape Placing::shape() const {

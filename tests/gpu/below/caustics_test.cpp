@@ -236,8 +236,9 @@ class CausticsOnBothDevices : public Caustics {
     std::vector<std::vector<double>> factorsOn(VkPhysicalDeviceType type,
                                                const std::vector<Camera>& cameras) {
         Caustics::TearDown();
-        pretendDeviceType(type);
         Caustics::SetUp();
+        pretendDeviceType(type);
+        useOwnContext();
         Body* const body = makeBody(desc_);
         spiedCalls().clear();
         std::vector<std::vector<double>> seen;

@@ -92,6 +92,7 @@ TEST_F(SubsurfaceScattering, GrowsWithWhatScattersIt) {
 }
 
 TEST_F(SubsurfaceScattering, CostsNothingWhereItIsNotAskedFor) {
+    useOwnContext();
     const auto constantOf = [&](Body* body) {
         spiedCalls().clear();
         picture({body}, camera_, 5);

@@ -246,6 +246,7 @@ TEST_F(SkyOfColors, ShineIntoTheWaterAsTheirCubeDoes) {
 
 // Not even a flat body, of which nothing is recorded before, wants a cube.
 TEST_F(SkyOfColors, NoShaderCouldReadACube) {
+    useOwnContext();
     BodyDesc desc;
     Body* const body = makeBody(desc);
     lighting = colors_;

@@ -51,8 +51,9 @@ std::vector<float> halved(const std::vector<float>& finer, VkExtent2D extent, co
 class MipChains : public GpuTest, public testing::WithParamInterface<VkPhysicalDeviceType> {
   protected:
     void SetUp() override {
-        pretendDeviceType(GetParam());
         GpuTest::SetUp();
+        pretendDeviceType(GetParam());
+        useOwnContext();
     }
     void TearDown() override {
         GpuTest::TearDown();

@@ -160,6 +160,7 @@ TEST_P(Multisampled, ResolvedColorHasNoOutline) {
 }
 
 TEST_P(Multisampled, OnlyTheyMakePipelinesAndImages) {
+    useOwnContext();
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
     const MultisampledScene scene = drawMultisampled(camera, harbourOfBoxes(), GetParam());
@@ -194,6 +195,7 @@ TEST_P(Multisampled, OnlyTheyMakePipelinesAndImages) {
 }
 
 TEST_P(Multisampled, ReflectorsOfOneCallShareTheScene) {
+    useOwnContext();
     const Camera camera = testCamera();
     const MultisampledScene scene = drawMultisampled(camera, harbourOfBoxes(), GetParam());
     ViewDesc view = viewDesc(camera);

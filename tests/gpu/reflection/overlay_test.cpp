@@ -286,6 +286,7 @@ TEST_F(Overlay, NoDepthIsMagenta) {
 }
 
 TEST_F(Overlay, CostsNothingUntilItIsAskedFor) {
+    useOwnContext();
     const Camera camera = testCamera();
     const TracedView traced = Tracer(camera, harbourOfBoxes()).run();
     const demos::Image target = overlayTarget({traced.width, traced.height});

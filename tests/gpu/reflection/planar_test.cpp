@@ -333,6 +333,7 @@ TEST_F(Planar, StaysFiniteAtTheExtremes) {
 }
 
 TEST_F(Planar, HoldsItsOwnKernelAlone) {
+    useOwnContext();
     spiedCalls().clear();
     handOut(viewDesc(testCamera()));
     EXPECT_EQ(countSpied("CreateComputePipelines"), 2u); // and the blur's

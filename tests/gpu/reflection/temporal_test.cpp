@@ -158,6 +158,7 @@ bool isFinite(const Reflected& reflected) {
 }
 
 TEST_P(Temporal, WithoutItNothingIsMadeOrDispatched) {
+    useOwnContext();
     struct Cost {
         size_t pipelines, images, dispatches;
         VkDeviceSize bytes;

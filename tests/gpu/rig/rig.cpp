@@ -4,6 +4,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "gpu/context.h"
 #include "tests/gpu/host/spy.h"
 #ifdef SEAGLASS_SHADER_RELOAD
 #include "tests/gpu/rig/swapped_shaders.h"
@@ -121,23 +122,39 @@ seaglass::DeviceDesc deviceDesc(std::string* message) {
     return desc;
 }
 
+std::unique_ptr<GpuTest::HeldContext> GpuTest::makeContext() {
+    auto held = std::make_unique<HeldContext>();
+    const seaglass::DeviceDesc desc = deviceDesc(&held->message);
+    EXPECT_EQ(seaglass::createContext(&desc, &held->made), seaglass::Status::ok) << held->message;
+    return held;
+}
+
+void GpuTest::useOwnContext() {
+    context_ = makeContext();
+    ASSERT_TRUE(context());
+}
+
 void GpuTest::SetUp() {
     messagesBefore_ = device().validationMessages();
-    const seaglass::DeviceDesc desc = deviceDesc(&message_);
-    ASSERT_EQ(seaglass::createContext(&desc, &context_), seaglass::Status::ok) << message_;
+    static const std::shared_ptr<HeldContext> ofAll = makeContext();
+    context_ = ofAll;
+    ASSERT_TRUE(context());
+    context_->message.clear();
 }
 
 void GpuTest::TearDown() {
-    message_.clear();
-    seaglass::destroyContext(context_);
-    EXPECT_EQ(message_, "");
+    if (!context()) return;
+    EXPECT_EQ(context()->inUse, 0u) << "bodies, reflectors or targets that the test left";
+    // What it destroyed is let go of, before the next test counts.
+    for (uint32_t slot = 0; slot < context()->frameCount; ++slot)
+        EXPECT_EQ(seaglass::beginFrame(context(), slot), seaglass::Status::ok) << message();
     if (!messagesExpected_) {
         EXPECT_EQ(device().validationMessages(), messagesBefore_);
     }
 }
 
 void GpuTest::frame(const std::function<void(VkCommandBuffer)>& record) {
-    ASSERT_EQ(seaglass::beginFrame(context_, slot_), seaglass::Status::ok) << message_;
+    ASSERT_EQ(seaglass::beginFrame(context(), slot_), seaglass::Status::ok) << message();
     slot_ = (slot_ + 1) % 2;
     submit(record);
 }

@@ -33,23 +33,33 @@ inline size_t wavesMips() {
     return onGpus(2);
 }
 
-/// Every test that uses it fails on a validation message, unless it says how many it expects.
+/// Every test that uses it fails on a validation message, unless it says how many it expects. The tests of a
+/// process have one context, which keeps the pipelines that they ask for.
 class GpuTest : public testing::Test {
   protected:
     void SetUp() override;
     void TearDown() override;
 
-    seaglass::Context* context() const { return context_; }
+    /// From here on one of the test's own, which has made no pipeline. Nothing is held of the other.
+    void useOwnContext();
+
+    seaglass::Context* context() const { return context_->made; }
     /// What the library said last.
-    const std::string& message() const { return message_; }
+    const std::string& message() const { return context_->message; }
     void expectValidationMessages() { messagesExpected_ = true; }
 
     /// Begins the next frame slot, records and waits.
     void frame(const std::function<void(VkCommandBuffer)>& record);
 
   private:
-    seaglass::Context* context_ = nullptr;
-    std::string message_;
+    struct HeldContext {
+        seaglass::Context* made = nullptr;
+        std::string message;
+        ~HeldContext() { seaglass::destroyContext(made); }
+    };
+    static std::unique_ptr<HeldContext> makeContext();
+
+    std::shared_ptr<HeldContext> context_;
     uint32_t messagesBefore_ = 0;
     uint32_t slot_ = 0;
     bool messagesExpected_ = false;

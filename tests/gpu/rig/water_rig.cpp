@@ -81,6 +81,12 @@ void WaterTest::SetUp() {
     useSamples(VK_SAMPLE_COUNT_1_BIT);
 }
 
+void WaterTest::useOwnContext() {
+    seaglass::destroyTarget(std::exchange(target_, nullptr));
+    GpuTest::useOwnContext();
+    makeTarget();
+}
+
 void WaterTest::useSamples(VkSampleCountFlagBits samples) {
     samples_ = samples;
     makeTarget();

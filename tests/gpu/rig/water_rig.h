@@ -30,6 +30,7 @@ class WaterTest : public GpuTest {
     void SetUp() override;
     void TearDown() override;
 
+    void useOwnContext();
     /// What is drawn into from here on, and resolved; 1 before.
     void useSamples(VkSampleCountFlagBits samples);
     /// Which way the target's depth runs from here on; reversed before.

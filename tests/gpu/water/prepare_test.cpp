@@ -30,6 +30,7 @@ class Prepared : public WaterTest {
   protected:
     void SetUp() override {
         WaterTest::SetUp();
+        useOwnContext();
         sea_ = breeze();
         desc_.waves = &sea_;
         desc_.wavesOn = WavesOn::gpu;
@@ -69,11 +70,11 @@ class Prepared : public WaterTest {
     }
 
     /// In a frame, where the tests' target is at hand.
-    void prepareFor(Body* body, const LightingDesc* lights) {
+    void prepareFor(Body* body, const LightingDesc* lights, const Camera& seenBy = everyPlace().front()) {
         drawing = [this, body, lights](VkCommandBuffer, Target* target, const ViewDesc& view) {
             return prepare(target, body, &view, lights, output_);
         };
-        picture({body}, everyPlace().front(), time_ += 0.1);
+        picture({body}, seenBy, time_ += 0.1);
         drawing = nullptr;
     }
 
@@ -118,6 +119,37 @@ TEST_F(Prepared, StillWaterThatMirrorsInFewerPixels) {
     const Camera camera = everyPlace().front();
     picture({body}, camera, time_ += 0.1, output_, planeBelow(camera, -50, 1));
     EXPECT_EQ(countSpied("CreateGraphicsPipelines"), 0u);
+}
+
+// Tiles of small views are not sorted on CPU devices.
+TEST_F(Prepared, ForViewsOfAnySize) {
+    desc_.underwater = nullptr;
+    Body* const body = makeBody(desc_);
+    Camera large = everyPlace().front();
+    large.width = 256;
+    large.height = 144;
+    prepareFor(body, &lighting, large);
+    spiedCalls().clear();
+    const Camera small = everyPlace().front();
+    picture({body}, small, time_ += 0.1, output_, planeBelow(small, -50, 1));
+    EXPECT_EQ(countSpied("CreateGraphicsPipelines") + countSpied("CreateComputePipelines"), 0u);
+}
+
+// The context keeps what bodies that are gone were drawn by.
+TEST_F(Prepared, ABodyMadeAnewMakesNoPipeline) {
+    desc_.wavesBackend = fftwWaves();
+    for (const bool anew : {false, true}) {
+        Body* body = nullptr;
+        spiedCalls().clear();
+        ASSERT_EQ(createBody(context(), &desc_, &body), Status::ok) << message();
+        const size_t atFirst = countSpied("CreateComputePipelines");
+        const size_t later = pipelinesMadeByFrames(body);
+        EXPECT_EQ(atFirst > 0, !anew);
+        EXPECT_EQ(later > 0, !anew);
+        destroyBody(body);
+        frame([](VkCommandBuffer) {});
+        frame([](VkCommandBuffer) {});
+    }
 }
 
 TEST_F(Prepared, SprayToo) {

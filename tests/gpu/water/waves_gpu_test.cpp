@@ -114,8 +114,9 @@ TEST_F(GpuWaves, ThatExceedWhatTheDeviceBindsAreRefused) {
 class GpuWavesOnEachDevice : public GpuWaves, public testing::WithParamInterface<VkPhysicalDeviceType> {
   protected:
     void SetUp() override {
-        ::tests::pretendDeviceType(GetParam());
         GpuWaves::SetUp();
+        ::tests::pretendDeviceType(GetParam());
+        useOwnContext();
     }
     void TearDown() override {
         GpuWaves::TearDown();
@@ -284,7 +285,8 @@ TEST_F(GpuWaves, NeedNoBackend) {
 
 TEST_P(GpuWavesOnEachDevice, KeepNothingOfTheOtherBackend) {
     const auto made = [&](WavesOn on, const WavesBackend* backend, uint32_t samples) {
-        const SeaDesc desc = seaOf(samples); // each of its own, since bodies share pipelines
+        useOwnContext();
+        const SeaDesc desc = seaOf(samples);
         ::tests::spiedCalls().clear();
         BodyDesc body;
         body.waves = &desc;
@@ -294,7 +296,6 @@ TEST_P(GpuWavesOnEachDevice, KeepNothingOfTheOtherBackend) {
         EXPECT_EQ(createBody(context(), &body, &out), Status::ok) << message();
         simulateAt(out, 1);
         destroyBody(out);
-        for (int slot = 0; slot < 2; ++slot) frame([](VkCommandBuffer) {}); // lets go of its pipelines
     };
     const bool deviceIsCpu = GetParam() == VK_PHYSICAL_DEVICE_TYPE_CPU;
     const size_t ofMips = deviceIsCpu ? 0 : 1;
