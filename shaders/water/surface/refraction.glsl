@@ -94,14 +94,14 @@ float strideOnBed() {
 // The median height of what shows at a pixel and beside it, across the track: a mast, a rope or a leaf is no bed.
 float heightAround(const SurfacePoint s, Behind b, vec2 track) {
     vec2 aside = strideOnBed() * vec2(-track.y, track.x);
-    vec4 heights;
-    [[unroll]] for (int i = 0; i < 4; ++i) {
+    vec2 lows = vec2(1e9), highs = vec2(-1e9);   // the two least, and the two most
+    [[dont_unroll]] for (int i = 0; i < 4; ++i) {
         Behind there = bedAt(middleOf(b) + 0.5 * float(i < 2 ? i - 2 : i - 1) * aside);
-        heights[i] = isBelowWater(s, there) ? there.seen.y : b.seen.y;
+        float height = isBelowWater(s, there) ? there.seen.y : b.seen.y;
+        lows = vec2(min(lows.x, height), min(lows.y, max(lows.x, height)));
+        highs = vec2(max(highs.x, height), max(highs.y, min(highs.x, height)));
     }
-    vec2 low = min(heights.xy, heights.zw), high = max(heights.xy, heights.zw);
-    vec2 middle = vec2(max(low.x, low.y), min(high.x, high.y));
-    return clamp(b.seen.y, min(middle.x, middle.y), max(middle.x, middle.y));
+    return clamp(b.seen.y, lows.y, highs.y);
 }
 
 // The lesser of two slopes; none where they differ in sign.
@@ -118,16 +118,22 @@ vec2 slopeBetween(const SurfacePoint s, Behind before, Behind last) {
     return isSlope ? step.xz * (step.y / across) : vec2(0.0);
 }
 
-// How the bed goes on beyond its last pixel; `track` is the way of rays on the screen, unit.
+// How the bed goes on beyond its last pixel; `track` is the way of rays on the screen, unit. A survey goes on with medians of heights:
+// of the last pixel, then of one a stride before.
 BedPlane bedBeyond(const SurfacePoint s, inout Behind last, vec2 track, bool isSurveyed) {
+    vec2 middle = middleOf(last);
     BedPlane plane;
-    plane.slope = slopeBetween(s, bedAt(middleOf(last) - 4.0 * track), last);
-    if (isSurveyed) {
-        Behind before = bedAt(middleOf(last) - strideOnBed() * track);
-        before.seen.y = heightAround(s, before, track);
-        last.seen.y = heightAround(s, last, track);
-        plane.slope = lesserSlope(plane.slope, slopeBetween(s, before, last));
-    }
+    int i = 0;
+    // All share one copy of the code.
+    [[dont_unroll]] do {
+        Behind there = bedAt(middle - (i == 0 ? 4.0 : strideOnBed()) * track);
+        if (i == 1) there = last;
+        if (i > 0) there.seen.y = heightAround(s, there, track);
+        if (i == 1) last.seen.y = there.seen.y;
+        vec2 slope = slopeBetween(s, there, last);
+        if (i == 0) plane.slope = slope;
+        if (i == 2) plane.slope = lesserSlope(plane.slope, slope);
+    } while (surveysBed && ++i < (isSurveyed ? 3 : 1));
     plane.place = last.seen;
     return plane;
 }
@@ -282,18 +288,16 @@ bool isSteep(Behind there, vec2 pixel) {
     return abs(step.y) >= 0.5 * length(step.xz);
 }
 
-// Whether a tap shows the bed as `b` does, `drop` metres below. Beyond the border what stands up from it is not the bed; what
-// lies lower than the last pixel before is, which may show a stone.
-bool showsSameBed(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel) {
-    if (!isBelowWater(s, there)) return false;
-    if (!taps.isBeyond) return length(there.seen - b.seen) <= 0.5 * drop;
-    return there.seen.y - b.seen.y < standsUp * (s.position.y - b.seen.y) && !isSteep(there, pixel);
-}
-
-// How much a tap counts of a bed that is surveyed. Steep ground may be a stone's side: it counts where there is no other.
-float surveyed(const SurfacePoint s, Behind there, vec2 pixel, float rise, float depth) {
-    if (!isBelowWater(s, there) || rise >= standsUp * depth) return 0.0;
-    return !isSteep(there, pixel) ? 1.0 : hasBed ? 0.0 : hardlyCounts;
+// How much a tap counts that shows what rises so far above the bed at `b`, which is `drop` metres below. Beyond the border what stands
+// up from the bed is not it; what lies lower than the last pixel before is, which may show a stone. Steep ground may be a stone's side:
+// where the bed is surveyed it counts where there is no other.
+float countsAs(const SurfacePoint s, BedTaps taps, Behind b, float drop, Behind there, vec2 pixel, float rise) {
+    bool isBed = isBelowWater(s, there);
+    if (taps.isBeyond) isBed = isBed && rise < standsUp * (s.position.y - b.seen.y);
+    else isBed = isBed && length(there.seen - b.seen) <= 0.5 * drop;
+    float steep = surveysBed && !hasBed && taps.most > taps.count ? hardlyCounts : 0.0;
+    bool isStone = isBed && taps.isBeyond && isSteep(there, pixel);
+    return isStone ? steep : isBed ? 1.0 : 0.0;
 }
 
 // The plane of a bed that is surveyed becomes as high as the taps are, and level where these are not on it.
@@ -301,16 +305,16 @@ vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop, inout 
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     bool isSurveyed = surveysBed && taps.most > taps.count;
+    if (!isSurveyed) plane = BedPlane(b.seen, vec2(0.0));
     float depth = s.position.y - b.seen.y;
     Behind there = b;
     float weight = taps.count > 0 ? 1e-3 : 1.0;
     if (isSurveyed && isSteep(b, middleOf(b))) weight = hardlyCounts;
-    float rise = 0.0, height = 0.0;   // over the plane, and over the eye
+    float above = 0.0, rise = 0.0, height = 0.0;   // over the plane, its mean, and that over the eye
     int i = 0;
     // The bed's own pixel first, so that all share one copy of what looks colour up.
     [[dont_unroll]] do {
         vec4 color = bedColorOf(there);
-        float above = isSurveyed ? heightAbove(plane, there.seen) : 0.0;
         // Without the second condition Mesa 22.3's llvmpipe adds to the sums of invocations that have left the loop.
         if (weight > 0.0 && i <= taps.most) {
             // What was taken for the bed stands up from what shows here.
@@ -325,8 +329,8 @@ vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop, inout 
         }
         vec2 pixel = tapOf(taps, i);
         there = bedAt(pixel);
-        if (isSurveyed) weight = surveyed(s, there, pixel, heightAbove(plane, there.seen) - min(rise / weights, 0.0), depth);
-        else weight = showsSameBed(s, taps, b, drop, there, pixel) ? 1.0 : 0.0;
+        above = heightAbove(plane, there.seen);
+        weight = countsAs(s, taps, b, drop, there, pixel, above - (isSurveyed ? min(rise / weights, 0.0) : 0.0));
     } while (++i <= taps.most && weights < float(taps.count));
     rise /= weights;
     float level = smoothstep(0.05, 0.1, abs(rise) / max(depth, 1e-3));
