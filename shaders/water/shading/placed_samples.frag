@@ -19,26 +19,25 @@ layout(set = 0, binding = shadedBinding) uniform sampler2D shadedColor;
 #include "surface_cut.glsl"
 #include "found_surface.glsl"
 
-bool isFound(ivec2 at) {
-    return texelFetch(foundDepth, at, 0).r > 0.0;
-}
-
-// The pixel itself, or one beside it.
-ivec2 foundNear(ivec2 here) {
+// The pixel itself, or one beside it; false where none shows water.
+bool findNear(inout ivec2 at) {
     const ivec2 beside[9] = ivec2[](ivec2(0, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 0), ivec2(-1, 0),
                                     ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
-    ivec2 at = here;
+    ivec2 here = at;
+    bool isFound;
     int i = 0;
-    do at = clamp(here + beside[i], ivec2(0), regionSize() - 1);
-    while (++i < 9 && !isFound(at));
-    return at;
+    do {
+        at = clamp(here + beside[i], ivec2(0), regionSize() - 1);
+        isFound = texelFetch(foundDepth, at, 0).r > 0.0;
+    } while (++i < 9 && !isFound);
+    return isFound;
 }
 
 void main() {
     vec3 position = vec3(meshPosition.x, meshPosition.y - globeDrop(meshCalm), meshPosition.z);
     if (!isSurface(meshCalm, position)) demote;
-    ivec2 at = foundNear(ivec2(regionPixel(gl_FragCoord.xy)));
-    if (!isFound(at)) demote;
+    ivec2 at = ivec2(regionPixel(gl_FragCoord.xy));
+    if (!findNear(at)) demote;
     vec4 shown = texelFetch(shadedColor, at, 0);
     outColor = writesLight ? vec4(heldOf(shown.rgb, targetIsEncoded), 1.0) : shown;
 }
