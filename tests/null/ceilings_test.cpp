@@ -137,11 +137,13 @@ TEST_F(Ceilings, OfSurfaces) {
 
 TEST_F(Ceilings, OfSpray) {
     for (const bool all : {false, true}) {
-        const std::vector<CompiledPipeline> made = water_->spray({.cascades = 4,
+        const std::vector<CompiledPipeline> made = water_->spray({.hasWaves = true,
+                                                                  .cascades = 4,
                                                                   .foamCascades = 3,
                                                                   .isWarped = true,
                                                                   .hasSunShadow = all,
-                                                                  .fogKind = all ? 28u : 0u},
+                                                                  .fogKind = all ? 28u : 0u,
+                                                                  .straddles = all},
                                                                  false);
         ASSERT_EQ(made.size(), 1u) << water_->message();
         expectWithin(all ? 56 : 48, made.front().stages.front());

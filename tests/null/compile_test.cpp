@@ -34,7 +34,10 @@ TEST_F(Compiles, ASelectionOfSurfaces) {
 }
 
 TEST_F(Compiles, Spray) {
-    expectCompiled(water_->spray({.cascades = 4, .foamCascades = 2, .isWarped = true}, false));
+    for (const bool straddles : {false, true})
+        expectCompiled(water_->spray(
+            {.hasWaves = true, .cascades = 4, .foamCascades = 2, .isWarped = true, .straddles = straddles},
+            false));
 }
 
 } // namespace

@@ -48,14 +48,16 @@ TEST_F(Compiles, EverythingDrawn) {
         }
     for (const bool all : {false, true})
         for (const bool multiview : {false, true})
-            expectCompiled(water_->spray({.cascades = 4,
+            expectCompiled(water_->spray({.hasWaves = true,
+                                          .cascades = 4,
                                           .foamCascades = 3,
                                           .isWarped = true,
                                           .hasShore = all,
                                           .onGlobe = all,
                                           .hasSunShadow = all,
                                           .fogKind = all ? 28u : 0u,
-                                          .tilted = all},
+                                          .tilted = all,
+                                          .straddles = all},
                                          multiview));
     expectAllWith(".frag");
     expectAllWith(".vert");

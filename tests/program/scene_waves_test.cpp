@@ -32,6 +32,30 @@ TEST(DemoScenes, HoldTheWavesThatTheyAskFor) {
     EXPECT_GE(count, 5u);
 }
 
+// Without that, a wave that covers the eye is drawn as a sea that one looks through from above.
+TEST(DemoScenes, EyesThatWavesGoOverAreInTheWater) {
+    for (const std::filesystem::path& file : tests::demoScenes()) {
+        demos::Error error;
+        auto scene = demos::loadScene(file, {}, error);
+        ASSERT_TRUE(scene) << error.text;
+        if (!scene->water || !scene->water->waves) continue;
+        demos::WavesDesc& waves = *scene->water->waves;
+        waves.beaufort = demos::WavesDesc::noForce;
+        waves.windMps = 25;
+        demos::SceneSea asked;
+        ASSERT_TRUE(demos::seaOf(waves, asked, error)) << error.text;
+        const std::unique_ptr<seaglass::Sea, void (*)(seaglass::Sea*)> sea(
+            seaglass::createSea(&asked.desc, nullptr), seaglass::destroySea);
+        ASSERT_TRUE(sea) << file;
+        const double crests = seaglass::significantWaveHeight(*sea) * 0.93; // the highest of a thousand waves
+        bool covered = false;
+        for (const demos::CameraDesc& camera : scene->cameras)
+            covered = covered || camera.positionM[1] - scene->water->levelM < crests;
+        std::printf("%s: crests of %.2f m\n", file.filename().c_str(), crests);
+        EXPECT_TRUE(!covered || scene->water->underwater) << file;
+    }
+}
+
 TEST(DemoScenes, WaterIsOfItsTint) {
     demos::RefractionDesc refraction;
     refraction.tint = {0.01, 0.2, 0.15};

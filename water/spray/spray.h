@@ -12,7 +12,7 @@
 namespace seaglass {
 
 struct SprayVariant {
-#define CONSTANTS "shaders/shared/body_constants.h"
+#define CONSTANTS "shaders/shared/spray/spray_constants.h"
 #include "gpu/pipeline/constants.inl"
     auto operator<=>(const SprayVariant&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "shaders/shared/water_bindings.h"
+#include "water/below/underwater_part.h"
 #include "water/body/body.h"
 #include "water/body/body_block.h"
 #include "water/body/parallel_view.h"
@@ -59,9 +60,11 @@ Status SprayPart::create(Body& body, const BodyDesc& of) {
     return Status::ok;
 }
 
-SprayVariant SprayPart::variant(const Body& body, const LightingDesc& lighting) const {
+SprayVariant SprayPart::variant(const Body& body, const LightingDesc& lighting, bool straddles) const {
     const SeaDesc& sea = description(*body.sea);
     SprayVariant variant;
+    variant.hasWaves = true;
+    variant.straddles = straddles;
     variant.cascades = static_cast<int>(cascadeCount(*body.sea));
     variant.foamCascades = static_cast<int>(breaking);
     variant.isWarped = sea.warp > 0;
@@ -108,7 +111,8 @@ Status SprayPart::draw(Body& body, const DrawCall& call, DrawMoment moment) cons
     if (const Status s = body.read("draw", call.view, call.lighting, body.needsScene(), view);
         s != Status::ok)
         return s;
-    if (body.sidesSeen(view.geometry) == SidesSeen::below) return Status::ok;
+    const SidesSeen sides = body.sidesSeen(view.geometry);
+    if (sides == SidesSeen::below) return Status::ok;
     const SprayLattice seen = lattice(body, view);
     if (seen.count == 0) return Status::ok;
     BodyBlock drawn = bodyBlock(body, view);
@@ -123,13 +127,20 @@ Status SprayPart::draw(Body& body, const DrawCall& call, DrawMoment moment) cons
         s != Status::ok)
         return s;
     resources.push_back({sprayBinding, gpu::uniformBuffer(slice)});
-    return recordSpray(*body.context, call, view, variant(body, call.lighting), seen.count, resources);
+    return recordSpray(*body.context, call, view, variant(body, call.lighting, sides == SidesSeen::either),
+                       seen.count, resources);
 }
 
 Status SprayPart::prepare(const Body& body, const PrepareCall& call) const {
     if (call.output != SurfaceOutput::shaded) return Status::ok;
-    const DrawPipeline* pipeline = nullptr;
-    return call.target.spray.get(variant(body, call.lighting), pipeline);
+    for (const bool straddles : {false, true}) {
+        if (straddles && !body.find<UnderwaterPart>()) continue;
+        const DrawPipeline* pipeline = nullptr;
+        if (const Status s = call.target.spray.get(variant(body, call.lighting, straddles), pipeline);
+            s != Status::ok)
+            return s;
+    }
+    return Status::ok;
 }
 
 Part sprayPart() {

@@ -28,7 +28,7 @@ struct SprayPart {
     Status prepare(const Body& body, const PrepareCall& call) const;
 
   private:
-    SprayVariant variant(const Body& body, const LightingDesc& lighting) const;
+    SprayVariant variant(const Body& body, const LightingDesc& lighting, bool straddles) const;
     SprayLattice lattice(const Body& body, const BodyView& view) const;
     /// Of the eye, downwind and across [m].
     glm::dvec2 placeInAir(const glm::dvec3& eye, double time) const;

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_demote_to_helper_invocation : require
 #include "body_constants.glsl"
+#include "spray_constants.h"
 #include "encoding.glsl"
 #include "spray_block.h"
 #include "hash.glsl"
@@ -12,6 +13,7 @@ layout(location = 0) in vec2 within;
 layout(location = 1) flat in vec4 light;
 layout(location = 2) flat in vec2 texture_;
 layout(location = 3) in vec3 inAir;
+layout(location = 4) in float overWaterline;
 layout(location = 0) out vec4 outColor;
 
 const int octaves = 6;   // the largest of a metre, each half as large as the one before
@@ -51,7 +53,7 @@ float eddiesAt(vec3 at) {
 
 void main() {
     float rim = 1.0 - dot(within, within);
-    if (rim <= 0.0) demote;
+    if (rim <= 0.0 || (straddles && overWaterline <= 0.0)) demote;
     // Torn, most so at the rim and where drops are few.
     float torn = smoothstep(0.4, mix(0.75, 0.65, texture_.y), eddiesAt(inAir) + 0.1 * (rim - 0.6));
     float depth = light.w * rim * rim * 3.4 * torn;

@@ -6,6 +6,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "one_view.glsl"
 #include "body.glsl"
+#include "spray_constants.h"
 #include "spray_block.h"
 #include "foam_fading.h"
 #include "optics.glsl"
@@ -22,6 +23,7 @@ layout(location = 0) out vec2 within;            // of an ellipse, which is the 
 layout(location = 1) flat out vec4 light;        // radiance, optical depth in the middle
 layout(location = 2) flat out vec2 texture_;     // finest wave of it that shows [m], how ragged
 layout(location = 3) out vec3 inAir;             // place in the air that blows past [m], downwind less its stretch
+layout(location = 4) out float overWaterline;   // height over the water where the line of sight begins [m]
 
 const float densest = 0.03;   // a cloud's optical depth
 
@@ -35,6 +37,7 @@ const float densest = 0.03;   // a cloud's optical depth
 #include "sky_seen.glsl"
 #include "surface_fog.glsl"
 #include "hash.glsl"
+#include "waterline.glsl"
 #include "spray_flight.glsl"
 
 // What the cell of a particle says.
@@ -125,6 +128,13 @@ void hide() {
     light = vec4(0.0);
     texture_ = vec2(0.0);
     inAir = vec3(0.0);
+    overWaterline = 0.0;
+}
+
+// An eye in the water sees drops beyond the surface as foam on it. The waterline is even over a cloud.
+float heightOfSightTo(vec3 at) {
+    vec4 pixel = pixelOf(at);
+    return heightAboveSurface(pixel.w > 0.0 ? onNearPlane(heldInRegion(pixel.xy)) : vec3(0.0));
 }
 
 void main() {
@@ -172,5 +182,6 @@ void main() {
     within = aroundCircle(gl_VertexIndex % 3);
     vec3 at = position + within.x * longHalf * along + within.y * shortHalf * across;
     inAir = placeInAir(at);
+    if (straddles) overWaterline = heightOfSightTo(at);
     gl_Position = clipOf(at);
 }

@@ -404,6 +404,38 @@ TEST_F(Spray, IsHiddenByWhatIsNearer) {
     EXPECT_TRUE(with.depth == without.depth);
 }
 
+// Drops that a crest's run leaves below the surface are not seen through the water by an eye in it.
+TEST_F(Spray, IsInTheAir) {
+    const RefractionDesc refraction;
+    const UnderwaterDesc underwater;
+    const auto diving = [&](bool sprays) {
+        BodyDesc desc = described(sprays);
+        desc.refraction = &refraction;
+        desc.underwater = &underwater;
+        return makeBody(desc);
+    };
+    Body *const with = diving(true), *const without = diving(false);
+    // Pixels that spray changes, before an eye so high over the water.
+    const auto changedFrom = [&](double time, double height) {
+        const double at[2] = {places_[1], 0};
+        HeightSample sample;
+        sampleHeights(*seaglass::sea(with), time, at, 1, &sample);
+        Camera camera = camera_;
+        camera.eye = {at[0], double{sample.height} + height, at[1]};
+        camera.target = camera.eye + glm::dvec3(0, 0.7, -20);
+        return std::ranges::count_if(changes(*with, *without, camera, time),
+                                     [](double change) { return change > 0; });
+    };
+    ptrdiff_t wet = 0, dry = 0;
+    for (const double time : {12.0, 20.0}) {
+        wet += changedFrom(time, -0.6);
+        dry += changedFrom(time, 0.6);
+    }
+    std::printf("%td pixels before eyes in the water, %td before others\n", wet, dry);
+    EXPECT_EQ(wet, 0);
+    EXPECT_GT(dry, 50);
+}
+
 TEST_F(Spray, IsRefusedWhereItWouldBeWrong) {
     const auto refused = [&](const BodyDesc& desc, const char* why) {
         Body* body = nullptr;
