@@ -51,9 +51,9 @@ Status FoamPart::simulate(Body& body, VkCommandBuffer commands, double time) {
 void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) const {
     const Sea& sea = *body.sea;
     const glm::dvec3& eye = view.geometry.eye;
-    const FoamGate gate(description(sea), foam.time());
+    const FoamGate gate(sea, foam.time());
     const double atRest = warpAtRest(sea.warp), patch = cascade(sea, 0).patch;
-    block.foamCell = {foamGateCell((eye.x - atRest) / patch), foamGateCell((eye.z - atRest) / patch),
+    block.foamCell = {gate.firstCell((eye.x - atRest) / patch), gate.firstCell((eye.z - atRest) / patch),
                       static_cast<int32_t>(gate.turns()), static_cast<int32_t>(gate.now())};
     const FoamLayer lace = foamLaceOf(description(sea), foam.time(), foamRepeat);
     const glm::dvec2 laceAt = placeIn(lace, eye, foamRepeat);
@@ -63,7 +63,7 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
     for (uint32_t c = 0; c < foam.cascades(); ++c) {
         const Cascade& of = cascade(sea, c);
         const FoamDrift drift = foamDriftOf(description(sea), of, foam.time());
-        block.foamDrift[c] = glm::vec4(drift.u, drift.v, foam.at().pastPlume, 0);
+        block.foamDrift[c] = glm::vec4(drift.u, drift.v, foam.at().pastPlume, gate.cells());
     }
     block.foamStreak = {lace.u, lace.v};
     const FoamLayer windrows = foamWindrowsOf(description(sea), foam.time(), windrowTile);

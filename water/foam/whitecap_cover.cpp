@@ -71,7 +71,7 @@ double coverOf(const Sea& sea, const WavesBackend& backend, void* state, const F
     const FoamTime now = foamTimeOf(time, sea.desc.loopPeriod);
     foam.advance(backend, state, now.step);
     const size_t floats = size_t{4} * sea.desc.samples * sea.desc.samples;
-    Grid grid{sea, foam, now.past, FoamGate(sea.desc, time), {}, {}, {}};
+    Grid grid{sea, foam, now.past, FoamGate(sea, time), {}, {}, {}};
     std::vector<float> moments(floats);
     for (uint32_t c = 0; c < sea.count && foam.breaking().counts[c] > 0; ++c) {
         grid.drift.push_back(foamDriftOf(sea.desc, sea.cascades[c], time));

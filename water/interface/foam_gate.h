@@ -11,22 +11,23 @@
 
 namespace seaglass {
 
-constexpr int foamGateCells = 6; ///< of the lattice across a tile
-
 /// Of all places and times.
 constexpr double foamGateMean = 0.515;
-
-/// The first cell, as it wraps, of the tile on which a place lies [tiles].
-int32_t foamGateCell(double tiles);
 
 class FoamGate {
   public:
     FoamGate() = default;
-    FoamGate(const SeaDesc& sea, double time);
+    FoamGate(const Sea& sea, double time);
 
     /// Share, 0..1, of the foam that is seen at a place [tiles].
     float at(double tilesU, double tilesV) const;
     float mean() const { return even_ ? 1.0f : static_cast<float>(foamGateMean); }
+
+    /// Of the lattice across a tile: of three of the wind's waves each, or less. Where swell makes tiles far
+    /// longer, cells of a share of them would part the sea into floes.
+    int cells() const { return cells_; }
+    /// The first cell, as it wraps, of the tile on which a place lies [tiles].
+    int32_t firstCell(double tiles) const;
 
     /// How often a corner comes and goes in a loop, at the least; half as often again at most.
     uint32_t turns() const { return turns_; }
@@ -36,6 +37,7 @@ class FoamGate {
     float corner(uint32_t cellU, uint32_t cellV) const;
 
     bool even_ = true;
+    int cells_ = 6;
     uint32_t turns_ = 1, now_ = 0;
 };
 

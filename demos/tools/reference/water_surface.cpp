@@ -154,7 +154,7 @@ void WaterSurface::addFoam(const seaglass::Sea& sea, const seaglass::FoamDesc& f
     windrows_ = seaglass::foamWindrowsOf(desc, timeS, windrowTileM);
     breaking_ = seaglass::breakingOf(sea, foam);
     const std::vector<FoamLeft> left = foamLeft(sea, foam, backend, state, timeS);
-    foamGate_ = seaglass::FoamGate(desc, timeS);
+    foamGate_ = seaglass::FoamGate(sea, timeS);
     for (size_t i = 0; i < left.size(); ++i) {
         Level& level = cascades_[i].foam.emplace_back();
         for (size_t t = 0; t < left[i].foam.size(); ++t)
@@ -344,7 +344,7 @@ float WaterSurface::foamGate(const glm::dvec2& place, double footprint) const {
     const Cascade& cascade = cascades_.front();
     const glm::dvec2 tiles = place / cascade.patch + 0.5 / cascade.samples;
     const float seen = foamGate_.at(tiles.x, tiles.y);
-    const double blurred = glm::smoothstep(0.5, 2.0, footprint / cascade.patch * seaglass::foamGateCells);
+    const double blurred = glm::smoothstep(0.5, 2.0, footprint / cascade.patch * foamGate_.cells());
     return glm::mix(seen, foamGate_.mean(), static_cast<float>(blurred));
 }
 

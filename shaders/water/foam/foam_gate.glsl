@@ -15,9 +15,9 @@ float foamGateCorner(uvec2 cell, uint turns, uint now) {
 
 // Of the first cascade, `place` from the eye on its plane [m], as a mean over `width`.
 float foamGate(vec2 place, float width) {
-    const float cells = 6.0;
     const float mean = 0.515;
     if (!isWarped) return 1.0;
+    float cells = water.foamDrift[0].w;
     float blurred = smoothstep(0.5, 2.0, width * tilesInAMetre(0) * cells);
     ivec4 first = water.foamCell;
     vec2 at = cells * inTile(place, 0).xy;

@@ -393,7 +393,7 @@ TEST_F(SeaFoam, IsThickWhereItsGateIsOpen) {
     double open = 0, opens = 0, shut = 0, shuts = 0;
     for (const double time : {60.0, 300.0}) {
         const WaterPicture p = picture({body}, camera, time, SurfaceOutput::foam);
-        const FoamGate gate(description(sea), time);
+        const FoamGate gate(sea, time);
         for (uint32_t y = 0; y < p.height; ++y)
             for (uint32_t x = 0; x < p.width; ++x) {
                 const glm::dvec3 at = worldAt(camera, p, x, y);
