@@ -75,7 +75,7 @@ constexpr SurfaceCeiling surfaces[] = {
     {"lr", Quality::medium, 64},           {"w", Quality::medium, 56, 1300},
     {"w", Quality::highest, 88},           {"wl", Quality::highest, 136},
     {"wlr", Quality::medium, 64, 1800},    {"wflr", Quality::low, 72, 2200},
-    {"wflr", Quality::medium, 64, 1810},   {"wflr", Quality::high, 88, 2800},
+    {"wflr", Quality::medium, 64, 1800},   {"wflr", Quality::high, 88, 2800},
     {"wflr", Quality::highest, 136, 3000}, {"wfslr", Quality::medium, 120, 2700},
     {"wfslr", Quality::high, 120, 3650},   {"wfslroh", Quality::medium, 120, 2900},
     {"wfslroh", Quality::high, 120, 3950}, {"wfslroh", Quality::highest, 120},
