@@ -239,7 +239,7 @@ class Heights {
         if (!sea.shore) return;
         shore_ = &*sea.shore;
         constexpr double noFoam = 1; // its decay [s]
-        signal_ = shore_->signalAt(std::isfinite(time) ? time : 0, noFoam);
+        signal_ = shore_->signalAt(time, noFoam);
     }
 
     HeightSample at(Vec2 point) const {

@@ -82,13 +82,15 @@ class Shore {
           std::span<const Cascade> cascades);
 
     ShorePlace at(double u, double v) const;
-    /// Breakers' foam fades in `decayTime` seconds.
+    /// As finite as its trains are told: 0 for none that is a number.
+    static double heldTime(double time);
+    /// At any time. Breakers' foam fades in `decayTime` seconds.
     ShoreSignal signalAt(double time, double decayTime) const;
     /// Seconds from a row to the next.
     double rowStep() const;
     uint32_t rowCount() const; ///< of a train
-    /// A train's rows that end with row 0, the last at or after `time`: from `oldest` before it, by
-    /// visit(back, row).
+    /// Of a heldTime(): a train's rows that end with row 0, the last at or after `time`: from `oldest` before
+    /// it, by visit(back, row).
     void follow(uint32_t train, double time, uint32_t oldest,
                 const std::function<void(uint32_t, const ShoreRow&)>& visit) const;
     /// Without what is shorter than four `width`s.

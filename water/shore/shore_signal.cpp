@@ -57,8 +57,13 @@ void Shore::follow(uint32_t train, double time, uint32_t oldest,
     }
 }
 
-ShoreSignal Shore::signalAt(double time, double decayTime) const {
-    const double step = rowStep();
+double Shore::heldTime(double time) {
+    constexpr double farthest = 1e15; // [s]; beyond, a double tells no steps of rows apart
+    return std::isfinite(time) ? std::clamp(time, -farthest, farthest) : 0;
+}
+
+ShoreSignal Shore::signalAt(double asked, double decayTime) const {
+    const double time = heldTime(asked), step = rowStep();
     ShoreSignal signal;
     signal.rowsPerSecond = static_cast<float>(1 / step);
     signal.count = rowCount();

@@ -56,6 +56,12 @@ float highestOf(std::span<const Row> train) {
     return highest;
 }
 
+/// Beyond the map all is as at its edge; so that floats hold it.
+double heldPlace(double metres) {
+    constexpr double farthest = 1e30;
+    return std::isnan(metres) ? 0 : std::clamp(metres, -farthest, farthest);
+}
+
 const Shore* shoreOf(const Sea& sea) {
     return sea.shore ? &*sea.shore : nullptr;
 }
@@ -86,7 +92,7 @@ ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const doubl
     ShoreBlock block;
     const Shore* const shore = shoreOf(sea);
     if (!shore) return block;
-    const double now = std::isfinite(time) ? time : 0;
+    const double now = Shore::heldTime(time);
     const PastSamples past = pastSamplesOf(*shore, dryingTime);
     std::vector<Row> made(size_t{shoreTrains} * past.rows);
     float highest = 0;
@@ -98,7 +104,8 @@ ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const doubl
     std::memcpy(rows, made.data(), made.size() * sizeof(Row));
     const double step = shore->rowStep();
     for (size_t axis = 0; axis < 2; ++axis)
-        block.place[axis] = static_cast<float>((eye[axis] - shore->origin()[axis]) / shore->spacing());
+        block.place[axis] =
+            static_cast<float>((heldPlace(eye[axis]) - shore->origin()[axis]) / shore->spacing());
     block.place[2] = static_cast<float>(1 / shore->spacing());
     block.rows[0] = static_cast<float>(1 / step);
     block.rows[1] = static_cast<float>(std::ceil(now / step) - now / step);

@@ -39,7 +39,9 @@ struct FogBlock {
 FogBlock fogBlock(const FogDesc& desc, double eyeHeight); ///< for an eye at that y of the world; any thread
 
 /// Share of light that passes along `way` metres (1e9: endless) from y = `from`, which rise by `rise` metres.
-/// As medium.glsl computes it, in double. Any thread.
+/// As medium.glsl computes it, in double: 0..1. Fields that draw() would refuse count as the nearest end of
+/// their range, what is no number as the lowest, and as 0 of the other arguments; so in fogBlock(). Any
+/// thread.
 double fogTransmittance(const FogDesc& desc, double from, double rise, double way);
 
 } // namespace seaglass

@@ -181,7 +181,8 @@ struct LightingDesc {
                                   ///< ViewDesc::sceneColor has the host's already, and gets no more
 };
 
-/// What a sky of colours sends from a unit direction, for hosts that draw it. Any thread.
+/// What a sky of colours sends from a unit direction, for hosts that draw it: light, whatever is asked. One
+/// that is longer counts as straight up or down, and no number as level. Any thread.
 void skyRadiance(const LightingDesc& lighting, const double (&direction)[3], float (&out)[3]);
 
 } // namespace seaglass
