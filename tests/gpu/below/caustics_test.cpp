@@ -183,6 +183,27 @@ TEST_F(Caustics, AreTheSameInALargerPicture) {
 }
 
 // Waves send as much light over a border of the picture as comes in over it.
+// As bright at its last pixels as amid it, beside which nothing takes light.
+TEST_F(Caustics, OfAlmostStillWaterLeaveABedsEndAsItIs) {
+    sea_.amplitude = 0.001f;
+    Body* const body = makeBody(desc_);
+    const Camera camera = above(-8);
+    SceneBehind half = planeBelow(camera, -8, 1);
+    for (size_t i = 0; i < half.depth.size(); ++i)
+        if (i % camera.width >= camera.width / 2) half.depth[i] = 0;
+    const std::vector<double> light = factors(body, camera, half);
+    double least = 2, most = 0;
+    for (size_t i = 0; i < light.size(); ++i) {
+        const size_t x = i % camera.width, y = i / camera.width;
+        if (x >= camera.width / 2 || x < 40 || y < 40 || y + 40 > camera.height) continue;
+        least = std::min(least, light[i]);
+        most = std::max(most, light[i]);
+    }
+    std::printf("%.3f to %.3f of what calm water lets through\n", least, most);
+    EXPECT_GT(least, 0.95);
+    EXPECT_LT(most, 1.05);
+}
+
 TEST_F(Caustics, LoseNoLightOverThePicturesBorders) {
     Body* const body = makeBody(desc_);
     constexpr size_t side = 256, strip = 3; // [pixel]

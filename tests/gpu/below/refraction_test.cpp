@@ -22,6 +22,26 @@ class Refraction : public SeaTest {
     static constexpr RefractionDesc dimming_ = {{0.5f, 0.2f, 0.1f}, {0, 0, 0}, 1};
 };
 
+// Light goes down as far as it comes back: over a black bed what is missing to endless water fades twice as
+// fast as a beam.
+TEST_F(Refraction, ShallowWaterGlowsLessByTheWayThereAndBack) {
+    const RefractionDesc turbid = {{0.2f, 0.2f, 0.2f}, {0.05f, 0.05f, 0.05f}, 1};
+    for (float& channel : lighting.skyIrradiance) channel = 20;
+    Body* const body = waterOf(turbid);
+    Camera camera = seaCamera();
+    camera.eye = {3, 9, 7};
+    camera.target = {3.001, 0, 7};
+    camera.width = camera.height = 9;
+    const auto over = [&](double depth) {
+        return double{
+            picture({body}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, -depth, 0)).color[4 * 40]};
+    };
+    const double endless = over(60), one = endless - over(1), two = endless - over(2);
+    const double perMetre = std::log(one / two);
+    std::printf("%.4f, %.4f of %.4f missing: %.3f a metre\n", one, two, endless, perMetre);
+    EXPECT_NEAR(perMetre, 2 * 0.25, 0.02);
+}
+
 TEST_F(Refraction, WhatLiesBelowIsDimmedByBeerAndLambert) {
     Body* body = waterOf(dimming_);
     Camera camera = seaCamera();

@@ -82,6 +82,17 @@ TEST_F(SubsurfaceScattering, ShinesInCrestsBeforeTheSun) {
     for (const double channel : facing.troughs) EXPECT_EQ(channel, 0);
 }
 
+// On the sun's way into the crest as well as on the way to the eye.
+TEST_F(SubsurfaceScattering, IsAbsorbedOnBothItsWays) {
+    lowSun(true);
+    refraction_ = {{0.001f, 0.5f, 2.0f}, {0, 0, 0}, 1};
+    const Gain found = gain(0.25f);
+    const double some = found.crests[1] / found.crests[0], most = found.crests[2] / found.crests[0];
+    std::printf("%.3f and %.3f of what clear water sends\n", some, most);
+    EXPECT_LT(some, 0.33);
+    EXPECT_LT(most, 0.07);
+}
+
 TEST_F(SubsurfaceScattering, GrowsWithWhatScattersIt) {
     lowSun(true);
     const double little = gain(0.02f).crests[1], more = gain(0.08f).crests[1], most = gain(50).crests[1];

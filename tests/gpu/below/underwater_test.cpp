@@ -85,6 +85,48 @@ TEST_P(SnellsWindow, IsAsWideAsTheorySays) {
     EXPECT_NEAR(narrowest * 180 / pi, critical, 0.4);
 }
 
+// Of slopes too short to be seen, an integral over those that the line of sight can see, each by as much of
+// itself as it shows.
+TEST_P(SnellsWindow, IsBlurredByTheSlopesThatAreSeen) {
+    SeaDesc sea;
+    sea.windSpeed = 6;
+    sea.samples = 16;
+    sea.cascades = 1;
+    sea.largestPatch = 4000; // whose waves have hardly any slope
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    Body* const body = makeBody(desc_);
+    Camera camera = upwards();
+    camera.width = camera.height = 64;
+    const WaterPicture slopes = picture({body}, camera, 0, SurfaceOutput::slopes);
+    const WaterPicture p = picture({body}, camera, 0);
+    double found = 0, expected = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const size_t i = 4 * (size_t{y} * p.width + x);
+            const glm::dvec3 sight = rayThrough(camera, x, y);
+            const double level = std::hypot(sight.x, sight.z);
+            if (level < 0.3 || sight.y < 0.35)
+                continue; // straight up no slope matters; lower the sea is mirrored
+            const double u = sight.x / level, v = sight.z / level;
+            const double deviation =
+                std::sqrt(u * u * double{slopes.color[i + 2]} + v * v * double{slopes.color[i + 3]});
+            const double mean = u * double{slopes.color[i]} + v * double{slopes.color[i + 1]};
+            const double edgeOn = sight.y / level - mean;
+            double enters = 0, weights = 0;
+            for (double offset = -4 * deviation; offset < std::min(edgeOn, 4 * deviation);
+                 offset += 0.02 * deviation) {
+                const double slope = mean + offset, cosine = (sight.y - slope * level) / std::hypot(1, slope);
+                const double weight = std::exp(-0.5 * std::pow(offset / deviation, 2)) * (edgeOn - offset);
+                enters += weight * (1 - reflectanceBelow(std::clamp(cosine, 0.0, 1.0), GetParam()));
+                weights += weight;
+            }
+            found += double{p.color[i]};
+            expected += index * index * enters / weights;
+        }
+    std::printf("%.4f of what is expected\n", found / expected);
+    EXPECT_NEAR(found / expected, 1, 0.04); // slopes beyond 2.5 deviations are left out
+}
 TEST_P(SnellsWindow, LetsInAllLightThatEnters) {
     const Camera camera = upwards();
     const WaterPicture p = picture({makeBody(desc_)}, camera);
@@ -145,6 +187,101 @@ TEST_F(Underwater, WhatStandsAboveFadesTowardsTheBorder) {
     EXPECT_GT(whole, 1000u);
     EXPECT_GT(fading, 1000u);
     EXPECT_LT(worst, 0.3);
+}
+
+// Of an awning close over the water what the surface does not mirror back up, by where that is much.
+TEST_F(Underwater, WhatStandsAboveShinesInByWhatIsNotMirrored) {
+    Camera camera = upwards();
+    camera.fovDegrees = 120;
+    camera.width = camera.height = 128;
+    constexpr double height = 0.4, radiance = 8;
+    const SceneBehind awning = drawnOver(camera, nothingBehind(camera), radiance, [&](const glm::dvec3& ray) {
+        return (height - camera.eye.y) / ray.y;
+    });
+    const WaterPicture p = picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, awning);
+    double found = 0, expected = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            glm::dvec3 met;
+            const double mirrored = reflectanceBelow(rayThrough(camera, x, y).y);
+            if (mirrored < 0.1 || mirrored > 0.4 || !bentRayAt(camera, x, y, height, met)) continue;
+            found += double{p.color[(size_t{y} * p.width + x) * 4]};
+            expected += index * index * (1 - mirrored) * radiance;
+        }
+    std::printf("%.3f of what is expected\n", found / expected);
+    EXPECT_GT(expected, 1000);
+    EXPECT_NEAR(found / expected, 1, 0.05);
+}
+
+// As the bed's own pixels do, by as much water as lies over it and before it.
+TEST_F(Underwater, TheSurfaceMirrorsABedAsDarkAsItLiesDeep) {
+    const ReflectionDesc reflection;
+    desc_.reflection = &reflection;
+    refraction_ = {{0.1f, 0.1f, 0.1f}, {0, 0, 0}, 1};
+    for (float& channel : lighting.skyIrradiance) channel = 2;
+    Camera camera = level(-1.5);
+    camera.target = camera.eye + glm::dvec3(0, 0.2, -1);
+    camera.width = camera.height = 96;
+    constexpr double radiance = 4, bed = -4, a = 0.1;
+    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+    const WaterPicture p =
+        picture({makeBody(desc_)}, camera, 0, SurfaceOutput::shaded, planeBelow(camera, bed, radiance));
+    const double again = (1 - 0.934 / (index * index)) * std::exp(6 * a * bed);
+    const double lit = radiance * 0.934 * std::exp(1.2 * a * bed) / (1 - again);
+    double found = 0, expected = 0;
+    for (uint32_t y = 0; y < p.height; ++y)
+        for (uint32_t x = 0; x < p.width; ++x) {
+            const glm::dvec3 ray = rayThrough(camera, x, y);
+            if (ray.y < 0.15 || std::acos(ray.y) < std::asin(1 / index) + 0.02) continue;
+            const double path = (-camera.eye.y - bed) / ray.y - camera.near / glm::dot(ray, forward);
+            found += double{p.color[(size_t{y} * p.width + x) * 4]};
+            expected += lit * std::exp(-a * path);
+        }
+    std::printf("%.3f of what is expected\n", found / expected);
+    EXPECT_GT(expected, 100);
+    EXPECT_NEAR(found / expected, 1, 0.05);
+}
+
+// Foam that sends all light back lets none through to an eye below it.
+TEST_F(Underwater, WhiteFoamIsDarkFromBelow) {
+    SeaDesc sea = ripples();
+    sea.windSpeed = 20;
+    sea.fetch = 300e3f;
+    const FoamDesc white{.bias = 0.06f, .albedo = 1};
+    desc_.waves = &sea;
+    desc_.wavesBackend = fftwWaves();
+    for (float& channel : lighting.skyIrradiance) channel = 3;
+    const auto mean = [&](const FoamDesc* foam) {
+        desc_.foam = foam;
+        Camera camera = upwards();
+        camera.eye.y = -15;
+        camera.fovDegrees = 60;
+        camera.width = camera.height = 64;
+        const WaterPicture p = picture({makeBody(desc_)}, camera, 20);
+        double sum = 0;
+        for (size_t i = 0; i < p.color.size(); i += 4) sum += double{p.color[i]};
+        return sum;
+    };
+    const double share = mean(&white) / mean(nullptr);
+    std::printf("%.3f of the light without it\n", share);
+    EXPECT_LT(share, 0.91);
+}
+
+// Parallel lines begin at their near plane, each as deep as that is there: in the dark below, and in the
+// light above.
+TEST_F(Underwater, ParallelLinesSeeTheWaterOfTheirOwnDepth) {
+    refraction_ = {{0.1f, 0.1f, 0.1f}, {0.01f, 0.01f, 0.01f}, 1};
+    for (float& channel : lighting.skyIrradiance) channel = 300;
+    Body* const body = makeBody(desc_);
+    Camera camera = level(-5);
+    camera.width = camera.height = 33;
+    camera.parallelHeight = 8;
+    camera.far = 1000;
+    const WaterPicture p = picture({body}, camera, 0, SurfaceOutput::shaded, nothingBehind(camera));
+    const double top = double{p.color[4 * 16]}, bottom = double{p.color[4 * (32 * 33 + 16)]},
+                 apart = 8.0 * 32 / 33;
+    std::printf("above %.4f, below %.4f: %.3f a metre\n", top, bottom, std::log(top / bottom) / apart);
+    EXPECT_NEAR(std::log(top / bottom) / apart, 0.11, 0.005);
 }
 
 // A beam low over the water, which hides from the eye what its bent rays pass far above.

@@ -247,6 +247,39 @@ TEST_P(SeaFoamFromAbove, CoversAsMuchFromAnyHeight) {
 INSTANTIATE_TEST_SUITE_P(, SeaFoamFromAbove, testing::Values(0.0f, 0.06f),
                          [](const auto& info) { return info.param > 0 ? "Thick" : "Thin"; });
 
+// All but what its wet film mirrors, two fifths.
+TEST_F(SeaFoam, BlackFoamHidesTheSea) {
+    SeaDesc sea = breeze();
+    sea.windSpeed = 20;
+    sea.fetch = 500e3f;
+    const FoamDesc black{.bias = 0.06f, .albedo = 0};
+    BodyDesc desc;
+    desc.waves = &sea;
+    desc.wavesBackend = fftwWaves();
+    for (float& channel : lighting.skyIrradiance) channel = 3;
+    Body* const bare = makeBody(desc);
+    desc.foam = &black;
+    Body* const foamy = makeBody(desc);
+    Camera camera = above();
+    camera.width = 96;
+    camera.height = 54;
+    const std::vector<double> shares = white(foamy, camera);
+    const WaterPicture with = picture({foamy}, camera, foamTime), without = picture({bare}, camera, foamTime);
+    double dimmed = 0, brighter = 0;
+    size_t count = 0;
+    for (size_t i = 0; i < shares.size(); ++i) {
+        if (!with.covered(i) || shares[i] < 0.3) continue;
+        dimmed += double{with.color[4 * i]} / double{without.color[4 * i]};
+        brighter = std::max(brighter, double{with.color[4 * i]} / double{without.color[4 * i]});
+        ++count;
+    }
+    std::printf("%zu pixels of foam, dimmed to %.3f, to %.3f at most\n", count,
+                dimmed / static_cast<double>(count), brighter);
+    EXPECT_GT(count, 100u);
+    EXPECT_LT(dimmed / static_cast<double>(count), 0.9);
+    EXPECT_LT(brighter, 1.01);
+}
+
 // The pattern repeats every 24 m, across the wind without a bend: from the air its rafts would stand in rows.
 TEST_F(SeaFoam, RaftsStandInNoRows) {
     Body* body = streakyBody();

@@ -76,6 +76,34 @@ TEST_F(Gusts, LeaveTheOpenSeaAsRoughInTheMean) {
     EXPECT_NEAR(gusty / even, 1, 0.15);
 }
 
+// Pixels of hundreds of metres show gusts and lulls together.
+TEST_F(Gusts, AreTheirMeanFromFarUp) {
+    sea_.amplitude = 1;
+    camera_.eye.y = 60e3;
+    camera_.width = camera_.height = 32;
+    const double even = meanOf(roughness(body(0), 15)), gusty = meanOf(roughness(body(1), 15));
+    std::printf("%.3f of what it is without\n", gusty / even);
+    EXPECT_NEAR(gusty / even, 1, 0.02);
+}
+
+// Between cells of the noise, too, a gust ends softly.
+TEST_F(Gusts, HaveNoSeams) {
+    camera_.eye.y = 150;
+    Body* const gusty = body(1);
+    double step = 0, most = 0;
+    for (int i = 0; i < 6; ++i) {
+        const std::vector<double> rough = roughness(gusty, 15 + 60 * i);
+        for (size_t at = 0; at + camera_.width < rough.size(); ++at) {
+            if (at % camera_.width + 1 < camera_.width)
+                step = std::max(step, std::abs(rough[at + 1] - rough[at]));
+            step = std::max(step, std::abs(rough[at + camera_.width] - rough[at]));
+            most = std::max(most, rough[at]);
+        }
+    }
+    std::printf("from pixel to pixel by %.3f of the greatest\n", step / most);
+    EXPECT_LT(step, 0.25 * most);
+}
+
 // As far from picture to picture as what is seen is most alike.
 TEST_F(Gusts, RunWithTheWind) {
     const double metresPerPixel =

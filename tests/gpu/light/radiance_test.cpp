@@ -123,6 +123,44 @@ TEST_F(Radiance, SlopeVarianceIsTheSameAtAnyDistance) {
     EXPECT_GT(resolvedNear, 0.2 * expected);
 }
 
+// Waves that are looked for hide a low sun from troughs, and from crests hardly.
+TEST_F(Radiance, CrestsAreInTheSunLongerThanTroughs) {
+    SeaDesc sea = breeze();
+    sea.windSpeed = 10;
+    sea.fetch = 300e3f;
+    sea.samples = 128;
+    const auto crestsToTroughs = [&](uint32_t steps) {
+        BodyDesc desc;
+        desc.waves = &sea;
+        desc.wavesBackend = fftwWaves();
+        desc.shading.waveShadowSteps = steps;
+        Body* const body = makeBody(desc);
+        Camera camera = seaCamera();
+        camera.eye = {0, 25, 0};
+        camera.target = {40, 0, 0};
+        camera.width = camera.height = 96;
+        double light[2] = {}, pixels[2] = {};
+        for (const double time : {50.0, 61.0}) {
+            shineFrom({0, 1, 0}, 0);
+            const WaterPicture dark = picture({body}, camera, time);
+            shineFrom({std::cos(0.03), std::sin(0.03), 0}, 50);
+            const WaterPicture lit = picture({body}, camera, time);
+            const WaterPicture height = picture({body}, camera, time, SurfaceOutput::height);
+            const double deviation = significantWaveHeight(*seaglass::sea(body)) / 4;
+            for (size_t i = 0; i < lit.color.size(); i += 4) {
+                const double h = double{height.color[i]} / deviation;
+                if (!lit.covered(i / 4) || std::abs(h) < 0.7) continue;
+                light[h > 0] += double{lit.color[i]} - double{dark.color[i]};
+                ++pixels[h > 0];
+            }
+        }
+        return light[1] / pixels[1] * pixels[0] / light[0];
+    };
+    const double searched = crestsToTroughs(16), unsearched = crestsToTroughs(0);
+    std::printf("crests to troughs %.3f, and %.3f where no waves are looked for\n", searched, unsearched);
+    EXPECT_GT(searched, 1.5 * unsearched);
+}
+
 // A sea seen from 1 km has the same radiance whether pixels show its waves, and the mean is taken of them, or
 // one pixel's roughness stands for all: whether waves that hide others are looked for or not.
 class WaterFromAfar : public Radiance, public testing::WithParamInterface<Quality> {};

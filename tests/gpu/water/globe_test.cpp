@@ -132,6 +132,19 @@ TEST_F(SeaOnAGlobe, MirrorsTheSunWhereItsBallDoes) {
     }
 }
 
+TEST_F(SeaOnAGlobe, IsNotLitByASunThatHasSet) {
+    const RefractionDesc turbid = {{0.1f, 0.1f, 0.1f}, {0.05f, 0.05f, 0.05f}, 1};
+    BodyDesc desc = onEarth();
+    desc.refraction = &turbid;
+    Body* body = makeBody(desc);
+    Camera c = camera(100, 0);
+    c.target = c.eye + glm::dvec3(0.3, -2, -1);
+    c.width = c.height = 16;
+    const std::vector<float> dark = picture({body}, c).color;
+    shineFrom({0, -0.6, -0.8}, 50);
+    EXPECT_EQ(picture({body}, c).color, dark);
+}
+
 TEST_F(SeaOnAGlobe, RefusesABallThatIsNoPlanet) {
     for (const double radius : {-1.0, 1e5, 1e10, std::nan("")}) {
         BodyDesc desc;

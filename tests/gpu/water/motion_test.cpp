@@ -82,6 +82,28 @@ INSTANTIATE_TEST_SUITE_P(, StillMotion, testing::Values(0.0, 8.0), [](const auto
     return std::string(test.param > 0 ? "ByParallelLines" : "ByPerspective");
 });
 
+// The waves' mesh sinks as the globe's surface does, now as before.
+TEST_F(Motion, OfAGlobeThatStandsStillIsNone) {
+    sea_.amplitude = 0.01f;
+    addWaves();
+    desc_.extent.planetRadius = 1e6; // it has sunk by metres where it is still seen
+    camera_.eye = {3, 30, 7};
+    camera_.target = {3, 24, -93};
+    Body* const body = makeBody(desc_);
+    motion(body, camera_, 20);
+    const WaterPicture p = motion(body, camera_, 20);
+    double most = 0;
+    size_t seen = 0;
+    for (size_t i = 0; i < p.color.size() / 4; ++i) {
+        if (!p.covered(i)) continue;
+        most = std::max(most, std::hypot(double{p.color[4 * i]}, double{p.color[4 * i + 1]}));
+        ++seen;
+    }
+    std::printf("%.4f pixels at most\n", most);
+    EXPECT_GT(seen, 1000u);
+    EXPECT_LT(most, 0.1);
+}
+
 TEST_F(Motion, OfWavesIsTheirWaters) {
     sea_.cascades = 1; // longer than the mesh's cells
     sea_.largestPatch = 200;

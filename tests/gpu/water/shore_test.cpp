@@ -239,6 +239,56 @@ SceneBehind wallOnTheSand(const Camera& camera, double slope, double wallZ, floa
     return drawnOver(camera, drawnOver(camera, nothingBehind(camera), sand, toSand), wall, toWall);
 }
 
+TEST_F(ShoreOnGpu, WetSandIsAsLevelAsTheSandUnderIt) {
+    Body* const body = makeBody(desc_);
+    double off = 0;
+    size_t film = 0;
+    for (const double time : {30.0, 33.0, 36.0}) {
+        const WaterPicture p = picture({body}, camera(), time, SurfaceOutput::height),
+                           slopes = picture({body}, camera(), time, SurfaceOutput::slopes);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t i = size_t{y} * p.width + x;
+                const glm::dvec3 world = worldAt(camera(), p, x, y);
+                const double over = world.y - slope * world.z; // [m]
+                if (!p.covered(i) || over < 0.0125 || over > 0.016) continue;
+                off += std::hypot(double{slopes.color[4 * i]}, double{slopes.color[4 * i + 1]} - slope);
+                ++film;
+            }
+    }
+    std::printf("%zu pixels of film, off by %.4f in the mean\n", film, off / static_cast<double>(film));
+    EXPECT_GT(film, 250u);
+    EXPECT_LT(off / static_cast<double>(film), 0.01);
+}
+
+// Black sand under a sky: what it sends is the film's.
+TEST_F(ShoreOnGpu, WetSandShinesThoughTheSandIsSeenThroughIt) {
+    const RefractionDesc clear = {{0.3f, 0.1f, 0.1f}, {0, 0, 0}, 1};
+    desc_.refraction = &clear;
+    Body* const body = makeBody(desc_);
+    const Camera seenBy = camera();
+    const SceneBehind sand = drawnOver(seenBy, nothingBehind(seenBy), 0, [&](const glm::dvec3& ray) {
+        return (slope * seenBy.eye.z - seenBy.eye.y) / (ray.y - slope * ray.z);
+    });
+    size_t film = 0, shining = 0;
+    for (const double time : {30.0, 33.0, 36.0}) {
+        const WaterPicture p = picture({body}, seenBy, time, SurfaceOutput::height, sand),
+                           shaded = picture({body}, seenBy, time, SurfaceOutput::shaded, sand);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x) {
+                const size_t i = size_t{y} * p.width + x;
+                const glm::dvec3 world = worldAt(seenBy, p, x, y);
+                const double over = world.y - slope * world.z; // [m]
+                if (!p.covered(i) || over < 0.0125 || over > 0.016) continue;
+                shining += shaded.color[4 * i] > 0.01f;
+                ++film;
+            }
+    }
+    std::printf("%zu pixels of film, %zu shine\n", film, shining);
+    EXPECT_GT(film, 250u);
+    EXPECT_GT(shining, film / 2);
+}
+
 TEST_F(ShoreOnGpu, WetSandMirrorsWhatStandsOnIt) {
     const RefractionDesc refraction;
     const ReflectionDesc reflection;
