@@ -4,6 +4,7 @@
 // of colour. With OVERHANGS, what hangs over the mirror is looked for, too.
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "mirror.glsl"
 #include "encoding.glsl"
 #include "edge_fade.glsl"
@@ -97,11 +98,10 @@ vec2 shownIn(const MirrorBlock mirror, vec2 source, vec2 middle) {
     return below ? clamp(source, middle - 0.49, middle + 0.49) : source;
 }
 
-Hit refined(const MirrorBlock mirror, float accepted, ScreenRay ray, float mirroredDepth) {
+Hit refined(const MirrorBlock mirror, float accepted, ScreenRay ray, float mirroredDepth, inout vec2 middle) {
     vec4 p = ray.origin + mirroredDepth * ray.along;
     if (!(p.w > 0.0)) return noHit;
     Hit hit = Hit(false, false, p.xy / p.w, 0.0, mirroredDepth);
-    vec2 middle;
     bool movedOver = false;
     int left = refinements;
     do {
@@ -117,9 +117,7 @@ Hit refined(const MirrorBlock mirror, float accepted, ScreenRay ray, float mirro
             hit = metWithin(mirror, accepted, ray, middle, seen);
         }
     } while (--left > 0 && !hit.valid);
-    if (!hit.valid) return noHit;
-    hit.source = shownIn(mirror, hit.source, middle);
-    return hit;
+    return hit.valid ? hit : noHit;
 }
 
 // The keys in and around a cell, loaded once.
@@ -160,20 +158,22 @@ const int keysAroundCell = 9;
 
 // The nearest key in and around the cell first: where a near surface is mirrored larger than it is seen, its keys leave
 // holes, and what shows through them would prove itself as well. The first that does counts; `past`: it is not the nearest.
-Hit nearestHit(const MirrorBlock mirror, ivec2 cell, ScreenRay ray, out bool past) {
+// `own`: the cell's key.
+Hit nearestHit(const MirrorBlock mirror, ivec2 cell, ScreenRay ray, out bool past, out uint own) {
     Hit hit = noHit;
-    past = false;
     KeysAround around = keysAround(mirror, cell);
-    uint own = around.level.y;
+    own = around.level.y;
     uint key = nextKey(around, ~0u);
     int left = keysAroundCell;
+    vec2 middle = vec2(0.0);
     if (key != noKey) {
         do {
-            past = left < keysAroundCell;
-            hit = refined(mirror, key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(mirror, key));
+            hit = refined(mirror, key > own && own != noKey ? withinPixel : besidePixel, ray, depthFromKey(mirror, key), middle);
             key = nextKey(around, min(key, beyond(mirror, ray, depthFromKey(mirror, key))));
         } while (--left > 0 && key != noKey && !hit.valid);
     }
+    past = left < keysAroundCell - 1;
+    if (hit.valid) hit.source = shownIn(mirror, hit.source, middle);
     return hit;
 }
 
@@ -264,8 +264,13 @@ Hit unseen(const MirrorBlock mirror, ScreenRay ray, ivec2 pixel, Hit hit) {
 }
 
 Hit metUnseen(const MirrorBlock mirror, ScreenRay ray, Guesses guesses, Hit one, Hit other) {
-    one = unseen(mirror, ray, guesses.one, one);
-    other = unseen(mirror, ray, guesses.other, other);
+    int i = 0;
+    // Both by one copy of code, and where no invocation comes here, CPU devices go through it once.
+    [[dont_unroll]] do {
+        Hit first = one;
+        one = other;
+        other = unseen(mirror, ray, i == 0 ? guesses.one : guesses.other, first);
+    } while (++i < 2);
     return one.valid && (!other.valid || one.off <= other.off) ? one : other;
 }
 
@@ -285,7 +290,8 @@ Shown shownAt(const MirrorBlock mirror, vec2 q, ScreenRay ray) {
     bool followed = mirror.followed != 0u;
     ivec2 cell = keyCell(mirror, ivec2(q));
     bool past = false;
-    Hit hit = nearestHit(mirror, cell, ray, past);
+    uint own;
+    Hit hit = nearestHit(mirror, cell, ray, past, own);
     bool comesOut = hit.valid && !hit.front;
     // What is met past two sides that touch, through the step of a clinker hull for one, is hidden by them.
     bool pastSides = past && hit.valid && hit.front;
@@ -294,7 +300,7 @@ Shown shownAt(const MirrorBlock mirror, vec2 q, ScreenRay ray) {
     Guesses guesses = noGuesses;
     Hit thin = noHit;
     if (!hit.valid || pastSides) {
-        Hole hole = holeAround(mirror, q, ray, pastSides ? keyFromDepth(mirror, hit.depth) : keyAt(mirror, cell));
+        Hole hole = holeAround(mirror, q, ray, pastSides ? keyFromDepth(mirror, hit.depth) : own);
         if (!hit.valid && !hole.inside) info = infoOfMiss(mirror, q);
         if (!hit.valid && followed && hole.beside && info == infoSky) info = infoDoubtedSky;
         guesses = hole.left;
@@ -307,8 +313,14 @@ Shown shownAt(const MirrorBlock mirror, vec2 q, ScreenRay ray) {
         thin = hitOnThin(mirror, ray, entry);
     }
     if (!hit.front || pastSides) {
-        Hit one = metAt(mirror, ray, guesses.one);
-        Hit other = metAt(mirror, ray, guesses.other);
+        Hit one = noHit;
+        Hit other = noHit;
+        int i = 0;
+        // Both by one copy of code, and where no invocation comes here, CPU devices go through it once.
+        [[dont_unroll]] do {
+            one = other;
+            other = metAt(mirror, ray, i == 0 ? guesses.one : guesses.other);
+        } while (++i < 2);
         Hit met = metBetween(mirror, guesses, one, other);
         // Where rays are followed they tell better.
         bool tells = pastSides ? met.front : !comesOut || met.front && (!followed || met.off <= withinPixel);
