@@ -517,7 +517,8 @@ TEST_P(ShadingInSamples, BesideTheMiddleTakeANeighboursColour) {
         }
     std::printf("%zu edges, %zu of another share, %zu of another colour\n", edges, wrong, beyond);
     EXPECT_GT(edges, 30u);
-    EXPECT_LE(wrong, edges / 8);
+    // Of quarters that are covered one more or less is much: so coarse a grid moves edges past samples.
+    EXPECT_LE(static_cast<double>(wrong), static_cast<double>(edges) * limitOnGrid(1.0 / 8, 1.0 / 6));
     EXPECT_EQ(beyond, 0u);
 }
 
