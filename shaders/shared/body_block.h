@@ -36,8 +36,8 @@ struct BodyBlock {
     float foamStep; // share of the way between the history's steps
     float foamAlbedo;
     vec2 foamPlace;      // of the eye in the pattern [m]
-    vec4 foamDrift[4];   // (u, v) of a cascade's foam [tiles]; share of the way between the history's plumes;
-                         // cells of the gate across the largest tile
+    vec4 foamDrift[4];   // (u, v) of a cascade's foam [tiles]; share of the way between the history's plumes
+    vec4 foamGate;       // where place 0 lies past foamCell [cells]; cells a metre
     vec4 breaking;       // water/interface/whitecaps.h: now, nowWidth^2, hidden, narrower
     vec4 compression;    // likewise: along, foamBreaksApart
     vec4 breakingCounts; // likewise: counts

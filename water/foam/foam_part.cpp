@@ -55,6 +55,10 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
     const double atRest = warpAtRest(sea.warp), patch = cascade(sea, 0).patch;
     block.foamCell = {gate.firstCell((eye.x - atRest) / patch), gate.firstCell((eye.z - atRest) / patch),
                       static_cast<int32_t>(gate.turns()), static_cast<int32_t>(gate.now())};
+    const double half = 0.5 / description(sea).samples;
+    block.foamGate =
+        glm::vec4(gate.cells() * (inTile(eye.x - atRest, patch) + half),
+                  gate.cells() * (inTile(eye.z - atRest, patch) + half), gate.cells() / patch, 0);
     const FoamLayer lace = foamLaceOf(description(sea), foam.time(), foamRepeat);
     const glm::dvec2 laceAt = placeIn(lace, eye, foamRepeat);
     block.foamStep = foam.at().past;
@@ -63,7 +67,7 @@ void FoamPart::fill(const Body& body, const BodyView& view, BodyBlock& block) co
     for (uint32_t c = 0; c < foam.cascades(); ++c) {
         const Cascade& of = cascade(sea, c);
         const FoamDrift drift = foamDriftOf(description(sea), of, foam.time());
-        block.foamDrift[c] = glm::vec4(drift.u, drift.v, foam.at().pastPlume, gate.cells());
+        block.foamDrift[c] = glm::vec4(drift.u, drift.v, foam.at().pastPlume, 0);
     }
     block.foamStreak = {lace.u, lace.v};
     const FoamLayer windrows = foamWindrowsOf(description(sea), foam.time(), windrowTile);

@@ -17,10 +17,9 @@ float foamGateCorner(uvec2 cell, uint turns, uint now) {
 float foamGate(vec2 place, float width) {
     const float mean = 0.515;
     if (!isWarped) return 1.0;
-    float cells = water.foamDrift[0].w;
-    float blurred = smoothstep(0.5, 2.0, width * tilesInAMetre(0) * cells);
+    float blurred = smoothstep(0.5, 2.0, width * water.foamGate.z);
     ivec4 first = water.foamCell;
-    vec2 at = cells * inTile(place, 0).xy;
+    vec2 at = water.foamGate.xy + place * water.foamGate.z;
     vec2 whole = floor(at);
     uvec2 cell = uvec2(first.xy) + uvec2(ivec2(whole));
     vec2 past = at - whole;

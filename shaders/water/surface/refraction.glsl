@@ -129,10 +129,11 @@ BedPlane bedBeyond(const SurfacePoint s, inout Behind last, vec2 track, bool isS
         Behind there = bedAt(middle - (i == 0 ? 4.0 : strideOnBed()) * track);
         if (i == 1) there = last;
         if (i > 0) there.seen.y = heightAround(s, there, track);
-        if (i == 1) last.seen.y = there.seen.y;
+        // Without the first condition Mesa 22.3's llvmpipe changes what has left the loop.
+        if (isSurveyed && i == 1) last.seen.y = there.seen.y;
         vec2 slope = slopeBetween(s, there, last);
         if (i == 0) plane.slope = slope;
-        if (i == 2) plane.slope = lesserSlope(plane.slope, slope);
+        if (isSurveyed && i == 2) plane.slope = lesserSlope(plane.slope, slope);
     } while (surveysBed && ++i < (isSurveyed ? 3 : 1));
     plane.place = last.seen;
     return plane;
@@ -305,12 +306,11 @@ vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop, inout 
     vec4 sum = vec4(0.0);
     float weights = 0.0;
     bool isSurveyed = surveysBed && taps.most > taps.count;
-    if (!isSurveyed) plane = BedPlane(b.seen, vec2(0.0));
     float depth = s.position.y - b.seen.y;
     Behind there = b;
     float weight = taps.count > 0 ? 1e-3 : 1.0;
     if (isSurveyed && isSteep(b, middleOf(b))) weight = hardlyCounts;
-    float above = 0.0, rise = 0.0, height = 0.0;   // over the plane, its mean, and that over the eye
+    float above = isSurveyed ? heightAbove(plane, b.seen) : 0.0, rise = 0.0, height = 0.0;   // over the plane, its sum, and that over the eye
     int i = 0;
     // The bed's own pixel first, so that all share one copy of what looks colour up.
     [[dont_unroll]] do {
@@ -329,9 +329,10 @@ vec4 bedColorBy(const SurfacePoint s, BedTaps taps, Behind b, float drop, inout 
         }
         vec2 pixel = tapOf(taps, i);
         there = bedAt(pixel);
-        above = heightAbove(plane, there.seen);
+        above = isSurveyed ? heightAbove(plane, there.seen) : there.seen.y - b.seen.y;
         weight = countsAs(s, taps, b, drop, there, pixel, above - (isSurveyed ? min(rise / weights, 0.0) : 0.0));
     } while (++i <= taps.most && weights < float(taps.count));
+    if (!isSurveyed) return sum / weights;
     rise /= weights;
     float level = smoothstep(0.05, 0.1, abs(rise) / max(depth, 1e-3));
     plane.place.y = mix(plane.place.y + rise, height / weights, level);
