@@ -104,6 +104,18 @@ size_t FailingDevice::held() const {
         objects_, [](const auto& each) { return std::strcmp(each.second.kind, "the host's") != 0; }));
 }
 
+size_t FailingDevice::heldButPipelines() const {
+    const Lock lock(*this);
+    const auto isKept = [](std::string_view kind) {
+        return kind == kindOf<VkPipeline> || kind == kindOf<VkPipelineLayout> ||
+               kind == kindOf<VkDescriptorSetLayout>;
+    };
+    return static_cast<size_t>(std::ranges::count_if(objects_, [&](const auto& each) {
+        const std::string_view kind = each.second.kind;
+        return kind != "the host's" && !isKept(kind);
+    }));
+}
+
 VkResult FailingDevice::next(const char* function, VkResult another) {
     const uint64_t call = calls_.size();
     calls_.push_back(function);

@@ -48,6 +48,8 @@ class FailingDevice {
 
     /// What is not destroyed yet, without what is the host's.
     size_t held() const;
+    /// The same without pipelines and their layouts, which a context keeps.
+    size_t heldButPipelines() const;
     size_t heldBytes() const { return heldBytes_; }
     /// Handles that were destroyed, or used, and that no call gave or that were destroyed before; and uses of
     /// parts of buffers that Vulkan forbids.

@@ -55,7 +55,7 @@ class Faults : public testing::TestWithParam<Shape> {
             const std::vector<Step> steps = scene.steps();
             for (size_t i = 0; i < steps.size(); ++i) {
                 const Step& step = steps[i];
-                const size_t before = device.held();
+                const size_t before = device.heldButPipelines();
                 const bool wasWhole = device.failed().empty();
                 const Status status = step.call();
                 if (!wasWhole || device.failed().empty()) {
@@ -67,7 +67,7 @@ class Faults : public testing::TestWithParam<Shape> {
                 EXPECT_EQ(status, statusOf(fault)) << step.name << ", " << device.failed();
                 EXPECT_FALSE(scene.message().empty());
                 if (step.creates) {
-                    EXPECT_EQ(device.held(), before) << step.name << ", " << device.failed();
+                    EXPECT_EQ(device.heldButPipelines(), before) << step.name << ", " << device.failed();
                 }
                 if (sticky) break;
                 i = step.again - 1;

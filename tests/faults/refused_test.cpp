@@ -107,11 +107,11 @@ TEST_F(Refused, BackendsWithoutMemory) {
     desc.wavesBackend = &poor;
     desc.wavesOn = WavesOn::cpu;
     Body* none = nullptr;
-    const size_t held = device_.held();
+    const size_t held = device_.heldButPipelines();
     expectRefused(createBody(context_, &desc, &none), "waves backend poor: out of memory",
                   Status::outOfHostMemory);
     EXPECT_EQ(none, nullptr);
-    EXPECT_EQ(device_.held(), held);
+    EXPECT_EQ(device_.heldButPipelines(), held);
 }
 
 class RefusedInAFrame : public Refused {
