@@ -15,11 +15,6 @@ constexpr double endless = 1e9;         // [m]
 constexpr double farOff = 1e30;         // [m]; no height is farther
 constexpr double leastThickness = 1e-6; // [m]; from where a linear fog begins to where it hides all
 
-/// What is no number is none.
-double heldWithin(double farthest, double value) {
-    return std::isnan(value) ? 0 : heldIn(-farthest, farthest, value);
-}
-
 /// With each field in its range, so that the formulas give numbers of what draw() would refuse.
 FogDesc heldInRanges(FogDesc desc) {
     for (const Field& field : fogFields)

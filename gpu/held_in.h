@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace seaglass {
 
@@ -9,6 +10,11 @@ namespace seaglass {
 template<typename T>
 T heldIn(T low, T high, T value) {
     return std::min(std::max(low, value), high);
+}
+
+/// On either side of 0, which stands for what is no number.
+inline double heldWithin(double farthest, double value) {
+    return std::isnan(value) ? 0 : heldIn(-farthest, farthest, value);
 }
 
 } // namespace seaglass

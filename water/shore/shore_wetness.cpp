@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "gpu/held_in.h"
 #include "water/sea/sea.h"
 #include "water/sea/smoothstep.h"
 
@@ -56,11 +57,8 @@ float highestOf(std::span<const Row> train) {
     return highest;
 }
 
-/// Beyond the map all is as at its edge; so that floats hold it.
-double heldPlace(double metres) {
-    constexpr double farthest = 1e30;
-    return std::isnan(metres) ? 0 : std::clamp(metres, -farthest, farthest);
-}
+/// [m] Beyond the map all is as at its edge; so that floats hold it.
+constexpr double farthestPlace = 1e30;
 
 const Shore* shoreOf(const Sea& sea) {
     return sea.shore ? &*sea.shore : nullptr;
@@ -104,8 +102,8 @@ ShoreBlock shoreRows(const Sea& sea, double time, double dryingTime, const doubl
     std::memcpy(rows, made.data(), made.size() * sizeof(Row));
     const double step = shore->rowStep();
     for (size_t axis = 0; axis < 2; ++axis)
-        block.place[axis] =
-            static_cast<float>((heldPlace(eye[axis]) - shore->origin()[axis]) / shore->spacing());
+        block.place[axis] = static_cast<float>(
+            (heldWithin(farthestPlace, eye[axis]) - shore->origin()[axis]) / shore->spacing());
     block.place[2] = static_cast<float>(1 / shore->spacing());
     block.rows[0] = static_cast<float>(1 / step);
     block.rows[1] = static_cast<float>(std::ceil(now / step) - now / step);
