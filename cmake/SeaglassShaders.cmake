@@ -27,7 +27,8 @@ if(SEAGLASS_HOSTILE_ARITHMETIC)
 endif()
 
 # For SEAGLASS_SHADER_RELOAD: the header that is included tells the library by what name it may be given other words than
-# those of `words`; the global property SEAGLASS_SHADERS holds how each is compiled.
+# those of `words`; the global property SEAGLASS_SHADERS holds how each is compiled. So it is for the shaders of tests that call
+# functions of shaders.
 function(seaglass_name_shader header words name symbol source defines)
   file(CONFIGURE OUTPUT ${header} CONTENT [[
 #include "@words@"
@@ -56,7 +57,7 @@ function(seaglass_shaders target)
     endif()
     string(REPLACE "." "_" symbol ${name})
     set(header ${out_dir}/${name}.h)
-    if(SEAGLASS_SHADER_RELOAD AND target MATCHES "^seaglass_")
+    if(SEAGLASS_SHADER_RELOAD AND target MATCHES "^(seaglass|reflection|water)_")
       set(words ${out_dir}/words_${name}.h)
       seaglass_name_shader(${header} ${words} ${name} ${symbol} ${source} "${arg_DEFINES}")
       set(header ${words})

@@ -9,6 +9,16 @@ layout(set = 0, binding = tilesBinding, std430) buffer Tiles {
     uint tiles[];
 };
 
+// Whether a tile or one around it has keys.
+bool keysNear(const MirrorBlock mirror, ivec2 tile) {
+    ivec2 low = max(tile - 1, ivec2(0));
+    ivec2 high = min(tile + 1, ivec2(tilesAcross(mirror), tilesDown(mirror)) - 1);
+    uint flags = 0u;
+    for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x) flags |= tiles[tileAt(mirror, ivec2(x, y))];
+    return (flags & tileHasKeys) != 0u;
+}
+
 // Of an empty list; by one invocation.
 void beginLists() {
     header.resolveGroups.z = header.columnGroups.z = 1u;

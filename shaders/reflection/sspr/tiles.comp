@@ -33,15 +33,6 @@ bool hangsOver(const MirrorBlock mirror, ivec2 tile) {
 }
 #endif
 
-bool keysNear(const MirrorBlock mirror, ivec2 tile) {
-    ivec2 low = max(tile - 1, ivec2(0));
-    ivec2 high = min(tile + 1, ivec2(tilesAcross(mirror), tilesDown(mirror)) - 1);
-    uint flags = 0u;
-    for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x) flags |= tiles[tileAt(mirror, ivec2(x, y))];
-    return (flags & tileHasKeys) != 0u;
-}
-
 void main() {
     MirrorBlock mirror = storedMirror;
     int count = tilesAcross(mirror) * tilesDown(mirror);

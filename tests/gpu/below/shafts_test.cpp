@@ -258,6 +258,57 @@ TEST_F(MarineSnow, GivesAsMuchLightInCoarsePicturesAsInFineOnes) {
     EXPECT_NEAR(ofCoarse / ofFine, 1, 0.15);
 }
 
+// By half a turn of that the particles are elsewhere, by a whole one where they were.
+TEST_F(MarineSnow, SwaysAsWavesCarryIt) {
+    constexpr double period = 4, sinks = 1e-3; // of water/below/underwater_part.cpp [s], [m/s]
+    const auto snowAt = [&](double time) {
+        Camera camera = along({0, 0, -1}); // sinks with them
+        camera.eye.y -= sinks * time;
+        camera.target.y -= sinks * time;
+        return added(0, 1, camera, time);
+    };
+    const std::vector<double> first = snowAt(1), half = snowAt(1 + period / 2), whole = snowAt(1 + period);
+    const auto likeFirst = [&](const std::vector<double>& other) {
+        double both = 0, all = 0;
+        for (size_t i = 0; i < first.size(); ++i) both += first[i] * other[i], all += first[i] * first[i];
+        return both / all;
+    };
+    std::printf("%.3f alike after a turn, %.3f after half of one\n", likeFirst(whole), likeFirst(half));
+    EXPECT_GT(likeFirst(whole), 0.95);
+    EXPECT_LT(likeFirst(half), 0.6);
+}
+
+/// Pixels around one that are brighter than `least`, each counted once.
+size_t pixelsAround(std::vector<double> picture, size_t width, size_t at, double least) {
+    std::vector<size_t> open = {at};
+    size_t count = 0;
+    while (!open.empty()) {
+        const size_t i = open.back();
+        open.pop_back();
+        if (i >= picture.size() || !(picture[i] > least)) continue;
+        picture[i] = 0;
+        ++count;
+        for (const size_t next : {i - 1, i + 1, i - width, i + width}) open.push_back(next);
+    }
+    return count;
+}
+
+// As a round particle does that lets light through: by a paraboloid half of it shows more than half of the most.
+TEST_F(MarineSnow, IsThinAtItsRims) {
+    Camera camera = along({0, 0, -1});
+    camera.fovDegrees = 6;
+    const std::vector<double> more = added(0, 1, camera);
+    size_t largest = 0, bright = 0;
+    for (size_t i = 0; i < more.size(); ++i) {
+        const size_t size = more[i] > 1e-3 ? pixelsAround(more, camera.width, i, 0.05 * more[i]) : 0;
+        if (size <= largest) continue;
+        // Its middle is its brightest pixel.
+        largest = size;
+        bright = pixelsAround(more, camera.width, i, 0.5 * more[i]);
+    }
+    std::printf("%zu pixels, %zu of them bright\n", largest, bright);
+}
+
 TEST_F(MarineSnow, IsNoBrighterThanWhatLightsIt) {
     const std::vector<double> more = added(0, 1, along({0.5, 0.2, -1}));
     EXPECT_LT(*std::ranges::max_element(more), 0.5 * (5 * 0.8 + 1) / 3.14159265);

@@ -9,6 +9,9 @@
 #include "spirv/hidden_ways.comp.h"
 #include "spirv/looked_up_tiles.comp.h"
 #include "spirv/march_stride_hits.comp.h"
+#include "spirv/marched_ways.comp.h"
+#include "spirv/source_colors.comp.h"
+#include "spirv/squares.comp.h"
 #include "tests/gpu/shaders/shader_functions.h"
 
 namespace {
@@ -83,18 +86,79 @@ TEST_F(ShaderFunctions, ARayIsFollowedBackToWhereItWentIn) {
     for (size_t i = ways.size() - 2; i < ways.size(); ++i) EXPECT_EQ(entries[i].x, -1) << i;
 }
 
+// Of the ray that march_stride_hits.comp follows, by columns.
+float rayDepthAt(float column) {
+    return 0.9f - 0.8f / 200 * column;
+}
+
 // Between two strides a receding ray may pass behind a wall by more than that is thick.
 TEST_F(ShaderFunctions, AStrideIsAsThickAsTheRayRecedesOverIt) {
-    constexpr float first = 0.9f, last = 0.1f, perPixel = (last - first) / 200;
-    std::vector<glm::vec4> rays;
-    for (int column = 10; column < 180; ++column) {
-        const float depth = first + perPixel * (static_cast<float>(column) + 0.75f);
-        rays.emplace_back(first, last, column, depth);
+    std::vector<glm::vec4> walls;
+    for (int i = 10; i < 180; ++i) {
+        const auto column = static_cast<float>(i);
+        walls.emplace_back(column, 1000, rayDepthAt(column + 0.75f), 0);
     }
-    const std::vector<glm::vec4> hits = told(march_stride_hits_comp, rays);
-    for (size_t i = 0; i < rays.size(); ++i) {
-        EXPECT_EQ(hits[i].x, 1) << rays[i].z;
-        EXPECT_NEAR(hits[i].y, rays[i].z + 0.75f, 1) << rays[i].z;
+    const std::vector<glm::vec4> hits = told(march_stride_hits_comp, walls);
+    for (size_t i = 0; i < walls.size(); ++i) {
+        EXPECT_EQ(hits[i].x, 1) << walls[i].x;
+        EXPECT_NEAR(hits[i].y, walls[i].x + 0.75f, 1) << walls[i].x;
+    }
+}
+
+// Of a wall's last column the ray may go behind what lies past the middle, and nothing shows there any more.
+TEST_F(ShaderFunctions, ARayIsComparedOverTheWholePixel) {
+    std::vector<glm::vec4> walls;
+    for (int stride = 1; stride < 8; ++stride) {
+        const auto column = static_cast<float>(25 * stride);
+        for (const float past : {0.2f, 0.4f, 0.6f, 0.8f})
+            walls.emplace_back(column - 5, column + 1, rayDepthAt(column + past), 0);
+    }
+    const std::vector<glm::vec4> hits = told(march_stride_hits_comp, walls);
+    for (size_t i = 0; i < walls.size(); ++i) EXPECT_EQ(hits[i].x, i % 4 < 2) << walls[i].x;
+}
+
+TEST_F(ShaderFunctions, OutOfWhatIsThinARayComesAfterItWasMet) {
+    constexpr int refused = 0, closely = 3, underside = 4, met = 5; // march.glsl
+    const std::vector<glm::ivec4> ways = {
+        {closely, underside, 1, 0}, // a plank, which the ray then leaves
+        {closely, underside, 0, 0}, // what was passed by was no such thing: the underside is all that is
+                                    // known
+        {refused, underside, 0, 0}, {closely, met, 1, 0}, {closely, refused, 1, 0},
+    };
+    const float expected[][2] = {{25, met}, {50, underside}, {50, underside}, {50, met}, {25, closely}};
+    const std::vector<glm::vec4> ends = told(marched_ways_comp, ways);
+    for (size_t i = 0; i < ways.size(); ++i) {
+        EXPECT_FLOAT_EQ(ends[i].x, expected[i][0]) << i;
+        EXPECT_EQ(ends[i].y, expected[i][1]) << i;
+    }
+}
+
+TEST_F(ShaderFunctions, CellsAndBlocksHoldEachPixel) {
+    std::vector<glm::ivec4> sizes;
+    for (int i = 1; i < 140; ++i) sizes.emplace_back(i, 3 * i % 137 + 1, 0, 0);
+    const std::vector<glm::vec4> squares = told(squares_comp, sizes);
+    const auto holding = [](int pixels, int edge) { return static_cast<float>((pixels - 1) / edge + 1); };
+    for (size_t i = 0; i < sizes.size(); ++i) {
+        const glm::ivec4& size = sizes[i];
+        EXPECT_EQ(squares[i],
+                  glm::vec4(holding(size.x, 8), holding(size.y, 8), holding(size.x, 64), holding(size.y, 64)))
+            << size.x << "x" << size.y;
+    }
+}
+
+// No ray meets the far plane under the mirror's horizon: beside a far wall, whose depth is hardly told from
+// it, none of its colour is blended in. Over the horizon it is the sky.
+TEST_F(ShaderFunctions, WhatNoRayMeetsIsNotBlendedIn) {
+    constexpr float farWall = 1e-6f, step = 1e-5f, edge = 8; // the wall's last column is the one before
+    std::vector<glm::vec4> points;
+    for (const float under : {0.0f, 1.0f})
+        for (const float column : {6.2f, 6.9f, 7.4f, 7.6f, 7.9f})
+            points.emplace_back(column, farWall, step, under);
+    const std::vector<glm::vec4> colors = told(source_colors_comp, points);
+    for (size_t i = 0; i < points.size(); ++i) {
+        const float beyond = std::max(points[i].x + 0.5f - edge, 0.0f);
+        EXPECT_NEAR(colors[i].x, points[i].w > 0 ? 1 : 1 - 0.9f * beyond, 1e-4f)
+            << points[i].x << ", " << points[i].w;
     }
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <set>
 #include <span>
 
 #include "gpu/context.h"
@@ -9,6 +10,7 @@
 #include "reflection/sspr/tiles.h"
 #include "spirv/tile_lists.comp.h"
 #include "spirv/tile_lists_columns.comp.h"
+#include "spirv/tile_lists_keys.comp.h"
 #include "spirv/tile_lists_tiles.comp.h"
 #include "tests/gpu/rig/rig.h"
 
@@ -92,6 +94,23 @@ TEST_F(TileLists, EndWhereTheyMeet) {
         EXPECT_EQ(left.header.columnGroups.x, (most + 7) / 8) << held;
         EXPECT_LE(left.header.resolveGroups.y, 1u) << held;
         EXPECT_LE(left.header.columnGroups.y, 1u) << held;
+    }
+}
+
+// Of tiles without keys those beside one that has some are resolved with it, on all of its sides.
+TEST_F(TileLists, HoldTheTilesAroundKeys) {
+    for (const uint32_t keys : {0u, across - 1, 2 * across + 4, 3 * across, count - 1}) {
+        Tiles tiles;
+        tiles.flags[keys] = tileHasKeys;
+        const Tiles left = after(tile_lists_keys_comp, tiles, 1);
+        std::set<uint32_t> expected;
+        for (uint32_t tile = 0; tile < count; ++tile) {
+            const auto apart = [&](uint32_t a, uint32_t b) { return a > b ? a - b : b - a; };
+            if (apart(tile % across, keys % across) <= 1 && apart(tile / across, keys / across) <= 1)
+                expected.insert(tile % across | tile / across << 16);
+        }
+        const uint32_t* const first = left.lists.data();
+        EXPECT_EQ(std::set<uint32_t>(first, first + left.header.resolveGroups.w), expected) << keys;
     }
 }
 

@@ -4,9 +4,10 @@
 
 #include "mirror_block.h"
 
-// In place of the march's own, whose file stays out: of a row of pixels with sky to the left of a wall, which is thin.
+// In place of the march's own, whose file stays out: of a row of pixels with sky to both sides of a wall, which is thin.
 #define MARCH_GLSL
 const float pixels = 200.0;
+const float first = 0.9, last = 0.1;   // depths of the ray
 const float thickness = 0.01;
 struct Settings {
     float jitter;
@@ -14,7 +15,7 @@ struct Settings {
 };
 const Settings settings = Settings(0.0, 8);
 struct Scene {
-    float wallFrom;   // column
+    float wallFrom, wallTo;   // columns
     float wallDepth;
 };
 struct Track {
@@ -59,7 +60,7 @@ ivec2 pixelAt(Scene scene, vec2 point) {
     return ivec2(floor(point));
 }
 Seen seenAt(Scene scene, ivec2 pixel) {
-    bool wall = float(pixel.x) >= scene.wallFrom;
+    bool wall = float(pixel.x) >= scene.wallFrom && float(pixel.x) < scene.wallTo;
     return Seen(wall ? scene.wallDepth : 0.0, wall);
 }
 bool within(Track track, float share, float ray, float seen) {
@@ -73,7 +74,7 @@ bool coverEnds(Track track, float share, float ray, Seen seen, bool isBehind, in
 layout(local_size_x = 64) in;
 
 layout(set = 0, binding = 0, std430) readonly buffer Given {
-    vec4 rays[];   // depth at both ends, the wall's first column and its depth
+    vec4 walls[];   // first column, and one past the last; depth
 };
 layout(set = 0, binding = 1, std430) writeonly buffer Told {
     vec4 hits[];   // whether one is found, and the column
@@ -81,9 +82,9 @@ layout(set = 0, binding = 1, std430) writeonly buffer Told {
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
-    if (i >= rays.length()) return;
+    if (i >= walls.length()) return;
     MirrorBlock mirror;
-    Track track = Track(vec3(0.0, 3.5, rays[i].x), vec3(pixels, 0.0, rays[i].y - rays[i].x), 0.5 / pixels, Scene(rays[i].z, rays[i].w));
+    Track track = Track(vec3(0.0, 3.5, first), vec3(pixels, 0.0, last - first), 0.5 / pixels, Scene(walls[i].x, walls[i].y, walls[i].z));
     Progress at = atStart(track, 0.0);
     Crossing crossing = nextCrossing(mirror, track, at);
     hits[i] = vec4(crossing.found ? 1.0 : 0.0, crossing.share * pixels, 0.0, 0.0);

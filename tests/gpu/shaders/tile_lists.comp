@@ -1,4 +1,4 @@
-// Lists tiles, or with TILES or COLUMNS visits those that are listed, whatever the header holds.
+// Lists tiles, or with KEYS those near keys, or with TILES or COLUMNS visits those that are listed, whatever the header holds.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -50,7 +50,11 @@ layout(local_size_x = 64) in;
 void main() {
     MirrorBlock mirror;
     ivec2 tile = ivec2(gl_GlobalInvocationID.x % uint(tilesAcross(mirror)), gl_GlobalInvocationID.x / uint(tilesAcross(mirror)));
+#ifdef KEYS
+    if (tile.y < tilesDown(mirror) && keysNear(mirror, tile)) listTile(mirror, tile);
+#else
     listTile(mirror, tile);
     listTileOfColumns(mirror, tile);
+#endif
 }
 #endif
