@@ -293,20 +293,25 @@ size_t pixelsAround(std::vector<double> picture, size_t width, size_t at, double
     return count;
 }
 
-// As a round particle does that lets light through: by a paraboloid half of it shows more than half of the most.
+// As a round particle does that lets light through: by a paraboloid half of it shows more than half of the
+// most.
 TEST_F(MarineSnow, IsThinAtItsRims) {
-    Camera camera = along({0, 0, -1});
-    camera.fovDegrees = 6;
+    Camera camera = along({-0.59, -0.1, 0.81}); // one of the largest that are near
+    camera.fovDegrees = 5;
     const std::vector<double> more = added(0, 1, camera);
+    const size_t width = camera.width;
     size_t largest = 0, bright = 0;
-    for (size_t i = 0; i < more.size(); ++i) {
-        const size_t size = more[i] > 1e-3 ? pixelsAround(more, camera.width, i, 0.05 * more[i]) : 0;
+    for (size_t i = width; i + width < more.size(); ++i) {
+        const bool isMiddle =
+            more[i] >= std::max({1e-3, more[i - 1], more[i + 1], more[i - width], more[i + width]});
+        const size_t size = isMiddle ? pixelsAround(more, width, i, 0.05 * more[i]) : 0;
         if (size <= largest) continue;
-        // Its middle is its brightest pixel.
         largest = size;
-        bright = pixelsAround(more, camera.width, i, 0.5 * more[i]);
+        bright = pixelsAround(more, width, i, 0.5 * more[i]);
     }
     std::printf("%zu pixels, %zu of them bright\n", largest, bright);
+    EXPECT_GT(largest, 30u);
+    EXPECT_NEAR(static_cast<double>(bright), 0.526 * static_cast<double>(largest), 6);
 }
 
 TEST_F(MarineSnow, IsNoBrighterThanWhatLightsIt) {

@@ -123,7 +123,9 @@ TEST_F(ShaderFunctions, OutOfWhatIsThinARayComesAfterItWasMet) {
         {closely, underside, 1, 0}, // a plank, which the ray then leaves
         {closely, underside, 0, 0}, // what was passed by was no such thing: the underside is all that is
                                     // known
-        {refused, underside, 0, 0}, {closely, met, 1, 0}, {closely, refused, 1, 0},
+        {refused, underside, 0, 0},
+        {closely, met, 1, 0},
+        {closely, refused, 1, 0},
     };
     const float expected[][2] = {{25, met}, {50, underside}, {50, underside}, {50, met}, {25, closely}};
     const std::vector<glm::vec4> ends = told(marched_ways_comp, ways);

@@ -435,11 +435,11 @@ TEST_F(WaterFunctions, ABedIsBlurredByHowRaysStrayFromTheirMean) {
 TEST_F(WaterFunctions, BentRaysPassBehindEdges) {
     const glm::vec4 left(-0.5f, -1, -0.3f, 2); // and how deep it is at the end
     const auto asked = [&](float bed, float wallEnds) { return Ask{left, {bed, 0.8f, wallEnds, 1}}; };
-    const std::vector<glm::vec4> met = told(
-        bent_rays_comp, std::vector<Ask>{asked(1.5f, -1000), asked(3, 96), asked(3, 92), asked(3, 88)});
-    EXPECT_EQ(met[0].x, 1); // the bed
+    const std::vector<glm::vec4> met =
+        told(bent_rays_comp, std::vector<Ask>{asked(1.5f, -1000), asked(3, 96), asked(3, 92), asked(3, 88)});
+    EXPECT_EQ(met[0].x, 1);             // the bed
     EXPECT_NEAR(met[0].y, 1.5f, 0.07f); // halved five times
-    EXPECT_EQ(met[1].x, 1); // the top of the wall
+    EXPECT_EQ(met[1].x, 1);             // the top of the wall
     EXPECT_NEAR(met[1].y, 0.8f, 0.07f);
     EXPECT_EQ(met[2].x, 0); // it is deeper than that where it comes to the wall
     EXPECT_EQ(met[3].x, 0);
