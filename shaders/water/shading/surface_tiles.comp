@@ -6,14 +6,12 @@
 #include "found_surface.glsl"
 #include "shading_block.glsl"
 #include "found_tiles.glsl"
-#include "reflection_info.glsl"
 #include "turns.glsl"
 
 layout(local_size_x = 64) in;
 
 layout(set = 0, binding = foundDepthBinding) uniform sampler2D foundDepth;
 layout(set = 0, binding = sceneDepthBinding) uniform sampler2D sceneDepth;
-layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInfo;
 
 #include "tile_needs.glsl"
 
@@ -30,15 +28,6 @@ bool showsScene(ivec2 first) {
         ivec2 pixel = min(first + ivec2(i % tileSize().x, i / tileSize().x), last);
         if (!isFarPlane(texelFetch(sceneDepth, sceneTexel(pixel), 0).r)) return true;
     }
-    return false;
-}
-
-bool mirrorsScene(ivec2 first) {
-    int scale = clamp(int(water.reflectionScale), 1, 8);
-    ivec2 across = tileSize() / scale + 1;
-    ivec2 last = textureSize(reflectionInfo, 0) - 1;
-    for (int i = 0; i < across.x * across.y; ++i)
-        if (infoIsHit(texelFetch(reflectionInfo, min(first / scale + ivec2(i % across.x, i / across.x), last), 0).r)) return true;
     return false;
 }
 

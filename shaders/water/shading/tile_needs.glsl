@@ -5,9 +5,21 @@
 
 #include "found_tiles.glsl"
 #include "surface_tiles_constants.h"
+#include "reflection_info.glsl"
 #include "turns.glsl"
 
 layout(set = 0, binding = reflectionColorBinding) uniform sampler2D reflectionColor;
+layout(set = 0, binding = reflectionInfoBinding) uniform sampler2D reflectionInfo;
+
+// Whether the reflection holds something in the tile, which is as wide as so many whole texels.
+bool mirrorsScene(ivec2 first) {
+    int scale = clamp(int(water.reflectionScale), 1, 8);
+    ivec2 across = tileSize() / scale;
+    ivec2 last = textureSize(reflectionInfo, 0) - 1;
+    for (int i = 0; i < across.x * across.y; ++i)
+        if (infoIsHit(texelFetch(reflectionInfo, min(first / scale + ivec2(i % across.x, i / across.x), last), 0).r)) return true;
+    return false;
+}
 
 // Slopes are taken to lean by no more: four deviations of all that there are.
 float steepest() {

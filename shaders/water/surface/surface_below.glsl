@@ -87,32 +87,41 @@ vec3 sunThrough(const SurfacePoint s, vec3 view) {
                                 (up2 * up2 * seen * gap * gap));
 }
 
+// Up to which offset from their mean slopes let light out of the water along a line of sight: from there on all is mirrored, as
+// (up - level slope)^2 = c^2 (1 + aside^2 + slope^2) has it, of the critical angle's cosine c.
+float lastWindowSlope(const SurfacePoint s, VisibleSlopes v, vec3 view) {
+    const float c2 = 1.0 - 1.0 / (waterIndex * waterIndex);
+    float up = view.y, level = length(view.xz);
+    float mean = dot(s.slope, v.towards), aside2 = dot(s.slope, s.slope) - mean * mean;
+    float k = 1.0 + max(aside2, 0.0);
+    float root = sqrt(max(c2 * (up * up + k * (level * level - c2)), 0.0));
+    return (up * up - c2 * k) / max(up * level + root, 1e-4) - mean;
+}
+
 // Refraction gathers what comes from the sky into the window: radiance grows by n^2.
 vec3 throughWindow(const SurfacePoint s, vec3 view, out float reflectance) {
     const float gathered = waterIndex * waterIndex;
     VisibleSlopes v = visibleSlopes(s, view);
-    SlopeSteps steps = slopeSteps(v, 7);
+    SlopeSteps steps = slopeSteps(v, 7, lastWindowSlope(s, v, view));
     vec3 sum = vec3(0.0);
-    float reflects = 0.0;
-    float weights = 0.0;
+    reflectance = 1.0;
     int i = 0;
     do {
         float offset = offsetOf(steps, i);
-        float weight = weightOf(v, offset);
         vec3 normal = normalOf(s.slope + v.towards * offset);
         float cosine = max(dot(view, normal), 1e-4);
         float fresnel = mirroredShareBelow(cosine);
-        if (fresnel < 1.0) {
+        // Without the second condition Mesa 22.3's llvmpipe may add to the sums of invocations that have left the loop.
+        if (fresnel < 1.0 && i < steps.points) {
+            float share = shareSeen(steps, v, offset) * (1.0 - fresnel);
             vec3 outward = refract(view, -normal, waterIndex);
             float bends = waterIndex * cosine / max(dot(outward, normal), 0.1) - 1.0;   // of the ray, to the facet's tilt
             float spread = min(bends * (steps.spread + 0.5 * s.slopeStep), 0.5);
-            sum += weight * (1.0 - fresnel) * skyAt(s, keptAbove(outward), spread);
+            sum += share * skyAt(s, keptAbove(outward), spread);
+            reflectance -= share;
         }
-        reflects += weight * fresnel;
-        weights += weight;
     } while (++i < steps.points);
-    reflectance = reflects / weights;
-    sum /= weights;
+    reflectance = max(reflectance, 0.0);
     vec3 mean = normalOf(s.slope);
     vec3 along = refract(view, -mean, waterIndex);
     if (dot(along, along) > 0.0) {

@@ -44,20 +44,27 @@ float visibleArea(VisibleSlopes v, vec3 side) {
     return max(max(length(side.xz), 1e-6) * v.deviation * meanAbove(v.edgeOn / v.deviation), 1e-4);
 }
 
-// Many points by the midpoint rule, where what is seen ends at some slope: within 2.5 deviations, and less than edge on.
+// Points by the midpoint rule, where what is seen ends at some slope: within three deviations, less than edge on, and up to the last
+// that counts. A point beyond that would make rings of what ends there.
 struct SlopeSteps {
     float low, width;  // of the offsets, and of each point's share
     float spread;      // deviation within a point's share
     int points;
 };
 
+// Of facets seen from behind a trace is kept, so that something is seen.
+float leastEdgeOn(VisibleSlopes v) {
+    return max(v.edgeOn / v.deviation, -2.0);
+}
+
 // `most` points are taken where it is rough.
-SlopeSteps slopeSteps(VisibleSlopes v, int most) {
+SlopeSteps slopeSteps(VisibleSlopes v, int most, float last) {
+    const float within = 3.0;
     SlopeSteps steps;
-    steps.low = -2.5 * v.deviation;
-    float high = clamp(v.edgeOn, -2.0 * v.deviation, 2.5 * v.deviation);
+    steps.low = -within * v.deviation;
+    float high = min(v.deviation * min(leastEdgeOn(v), within), last);
     steps.points = v.deviation > 2e-3 ? most : 1;
-    steps.width = (high - steps.low) / float(steps.points);
+    steps.width = max(high - steps.low, 0.0) / float(steps.points);
     steps.spread = steps.width * 0.288675;   // of a uniform share
     return steps;
 }
@@ -66,10 +73,11 @@ float offsetOf(SlopeSteps steps, int i) {
     return steps.points == 1 ? 0.0 : steps.low + (float(i) + 0.5) * steps.width;
 }
 
-float weightOf(VisibleSlopes v, float offset) {
-    float relative = offset / v.deviation;
-    // A trace is kept of facets seen from behind, so that the sum is never empty.
-    return exp(-0.5 * relative * relative) * max(v.edgeOn - offset, 1e-4);
+// Of all that is seen, those beyond the last included.
+float shareSeen(SlopeSteps steps, VisibleSlopes v, float offset) {
+    float x = offset / v.deviation, edgeOn = leastEdgeOn(v);
+    float share = 0.398942 * exp(-0.5 * x * x) * max(edgeOn - x, 0.0) / meanAbove(edgeOn) * steps.width / v.deviation;
+    return steps.points == 1 ? 1.0 : share;
 }
 
 #endif

@@ -378,11 +378,28 @@ bool mirrors(const glm::ivec4& box, const glm::dvec2& pixel, const glm::dvec2& s
     return false;
 }
 
+/// As tile_needs.comp is asked.
+struct Tile {
+    glm::uvec4 box;
+    glm::vec4 first;
+    glm::ivec4 hit;
+};
+
+TEST_F(WaterFunctions, ATileMirrorsWhatAnyOfItsTexelsDoes) {
+    std::vector<Tile> tiles;
+    for (const int scale : {1, 2, 4, 8})
+        for (int y = 0; y < 24; y += scale)
+            for (int x = 0; x < 24; x += scale)
+                tiles.push_back({glm::uvec4(0), {8, 8, 0.1f, 0}, {x / scale, y / scale, scale, 0}});
+    const std::vector<glm::vec4> needs = told(tile_needs_comp, tiles);
+    for (size_t i = 0; i < tiles.size(); ++i) {
+        const glm::ivec4& hit = tiles[i].hit;
+        const bool isInTile = hit.x * hit.z / 8 == 1 && hit.y * hit.z / 8 == 1;
+        EXPECT_EQ(needs[i].z != 0, isInTile) << hit.x << "," << hit.y << " of " << hit.z;
+    }
+}
+
 TEST_F(WaterFunctions, TilesThatMayMirrorSomethingLookForIt) {
-    struct Tile {
-        glm::uvec4 box;
-        glm::vec4 first;
-    };
     size_t needed = 0, spared = 0, wrong = 0;
     for (const float deviation : {0.02f, 0.06f, 0.12f})
         for (const glm::ivec4& box :
@@ -390,7 +407,8 @@ TEST_F(WaterFunctions, TilesThatMayMirrorSomethingLookForIt) {
             std::vector<Tile> tiles;
             for (int y = 104; y < 200; y += 8)
                 for (int x = 0; x < 200; x += 8)
-                    tiles.push_back({glm::uvec4(~box.x, ~box.y, box.z, box.w), {x, y, deviation, 0}});
+                    tiles.push_back(
+                        {glm::uvec4(~box.x, ~box.y, box.z, box.w), {x, y, deviation, 0}, {0, 0, 1, 0}});
             const std::vector<glm::vec4> needs = told(tile_needs_comp, tiles);
             for (size_t i = 0; i < tiles.size(); ++i) {
                 bool mirrorsBox = false;
