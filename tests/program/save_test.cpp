@@ -104,6 +104,31 @@ TEST_F(Saved, GlitterThatIsSaidToBeNoneIsWritten) {
     EXPECT_TRUE(throughAFile(loaded(scene, {"water.glitter=0"}), out).water->saysGlitter);
 }
 
+TEST_F(Saved, WaveShadowsThatAreSaidToBeNoneAreWritten) {
+    const std::filesystem::path scene = folder_.path() / "scene.toml", out = folder_.path() / "out.toml";
+    EXPECT_FALSE(throughAFile(loaded(scene), out).water->saysWaveShadows);
+    EXPECT_TRUE(throughAFile(loaded(scene, {"water.wave_shadow_steps=0"}), out).water->saysWaveShadows);
+}
+
+// Under a low sun a gale drawn without is 25 % brighter in its shade than traced, and its sun path has no
+// gaps.
+TEST_F(Saved, WavesOfABreezeOnTheOpenSeaHideEachOther) {
+    const std::filesystem::path scene = folder_.path() / "scene.toml";
+    const auto steps = [&](const std::vector<std::string>& overrides) {
+        Scene seen = loaded(scene, overrides);
+        demos::addPhotographicDefaults(seen);
+        return seen.water->shading.waveShadowSteps;
+    };
+    const std::string gale = "water.waves.beaufort=10", breeze = "water.waves.wind_m_s=8";
+    EXPECT_EQ(steps({gale}), 8u);
+    EXPECT_EQ(steps({breeze}), 8u);
+    EXPECT_EQ(steps({gale, "water.wave_shadow_steps=0"}), 0u) << "what a scene says stands";
+    EXPECT_EQ(steps({gale, "water.wave_shadow_steps=16"}), 16u);
+    EXPECT_EQ(steps({"water.waves.beaufort=2"}), 0u);
+    EXPECT_EQ(steps({"water.waves.wind_m_s=3"}), 0u);
+    EXPECT_EQ(steps({breeze, "water.waves.amplitude=0.2"}), 0u) << "sheltered";
+}
+
 TEST_F(Saved, LeavesOutWhatIsTheDefaultAndNamesFilesFromWhereItIs) {
     Scene scene = loaded(folder_.path() / "scene.toml");
     scene.water->foam.reset();

@@ -80,7 +80,9 @@ std::optional<Scene> loadScene(const fs::path& file, const std::vector<std::stri
     Reader reader(file, error);
     if (!reader.read(root, sceneSection(), &scene, "", "")) return std::nullopt;
     if (!goTogether(scene, root, reader)) return std::nullopt;
-    if (scene.water) scene.water->saysGlitter = root["water"].as_table()->contains(photographicKey());
+    if (scene.water)
+        for (const PhotographicDefault& usual : photographicDefaults())
+            (*scene.water).*usual.isSaid = root["water"].as_table()->contains(usual.key);
     rememberPlaces(scene, root, file.string());
     return scene;
 }

@@ -1,3 +1,6 @@
+#include <array>
+#include <cstdint>
+
 #include "scene/scene.h"
 
 namespace demos {
@@ -17,23 +20,36 @@ FogDesc clearAir(const WaterDesc& water) {
     return air;
 }
 
-} // namespace
-
-std::string_view photographicKey() {
-    return "glitter";
+/// Ripples hide nothing, and looking costs a CPU device half of a frame.
+bool wavesHideEachOther(const WavesDesc& waves) {
+    constexpr double breeze = 5; // [m/s]: from Beaufort 4 on
+    const bool blows = waves.beaufort == WavesDesc::noForce ? waves.windMps >= breeze : waves.beaufort >= 4;
+    return blows && waves.amplitude >= 1;
 }
 
-void unsetPhotographicDefault(WaterDesc& water) {
-    water.shading.glitter = -1;
+constexpr std::array<PhotographicDefault, 2> defaults = {{
+    {"glitter", &WaterDesc::saysGlitter, [](WaterDesc& water) { water.shading.glitter = -1; }},
+    {"wave_shadow_steps", &WaterDesc::saysWaveShadows,
+     [](WaterDesc& water) { water.shading.waveShadowSteps = UINT32_MAX; }},
+}};
+
+} // namespace
+
+std::span<const PhotographicDefault> photographicDefaults() {
+    return defaults;
 }
 
 void addPhotographicDefaults(Scene& scene) {
     if (!scene.water) return;
     WaterDesc& water = *scene.water;
     constexpr float likePhotographs = 0.8f; // by eye
+    constexpr uint32_t asAtHigh = 8;
     if (!scene.fog) scene.fog = clearAir(water);
     if (!water.saysGlitter) water.shading.glitter = likePhotographs;
     water.saysGlitter = true;
+    if (water.saysWaveShadows || !water.waves || !wavesHideEachOther(*water.waves)) return;
+    water.shading.waveShadowSteps = asAtHigh;
+    water.saysWaveShadows = true;
 }
 
 } // namespace demos

@@ -114,7 +114,11 @@ std::string valueText(const Field& field, void* owner) {
 std::string sceneText(Scene scene, const fs::path& folder) {
     Writer writer(folder);
     Scene fresh;
-    if (scene.water && scene.water->saysGlitter) unsetPhotographicDefault(fresh.water.emplace());
+    if (scene.water) {
+        WaterDesc& water = fresh.water.emplace();
+        for (const PhotographicDefault& usual : photographicDefaults())
+            if ((*scene.water).*usual.isSaid) usual.unset(water);
+    }
     writer.write(sceneSection(), &scene, &fresh, "");
     return writer.text();
 }

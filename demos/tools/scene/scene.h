@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -88,6 +89,7 @@ struct WaterDesc {
     seaglass::MeshDesc mesh;
     seaglass::ShadingDesc shading;
     bool saysGlitter = false;         ///< else its 0 is what addPhotographicDefaults() makes of it
+    bool saysWaveShadows = false;     ///< likewise
     std::optional<ExtentDesc> extent; ///< none: to the horizon
     std::optional<WavesDesc> waves;
     std::optional<ShoreDesc> shore; ///< none: no bed is felt
@@ -132,11 +134,16 @@ inline std::optional<SurfaceDesc> surfaceOf(const Scene& scene) {
 std::optional<Scene> loadScene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                                Error& error);
 
-/// What photographs show, where the file does not say it: haze, and water that glitters.
+/// What photographs show, where the file does not say it: haze, water that glitters, and waves of an open sea
+/// that hide sky and sun from each other.
 void addPhotographicDefaults(Scene& scene);
-/// The key of the water's setting among these.
-std::string_view photographicKey();
-/// Gives that setting a value that no file holds.
-void unsetPhotographicDefault(WaterDesc& water);
+
+/// A setting of the water among these.
+struct PhotographicDefault {
+    std::string_view key;
+    bool WaterDesc::*isSaid;
+    void (*unset)(WaterDesc&); ///< gives it a value that no file holds
+};
+std::span<const PhotographicDefault> photographicDefaults();
 
 } // namespace demos
