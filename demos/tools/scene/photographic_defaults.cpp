@@ -20,7 +20,7 @@ FogDesc clearAir(const WaterDesc& water) {
     return air;
 }
 
-/// Ripples hide nothing, and looking costs a CPU device half of a frame.
+/// Ripples hide nothing, and looking takes a CPU device time.
 bool wavesHideEachOther(const WavesDesc& waves) {
     constexpr double breeze = 5; // [m/s]: from Beaufort 4 on
     const bool blows = waves.beaufort == WavesDesc::noForce ? waves.windMps >= breeze : waves.beaufort >= 4;
