@@ -63,12 +63,14 @@ struct BodyBlock {
     vec4 gustPlace[2];  // where on it [cells]; share of what shows
     float finestCell;   // edge [m]
     float halfMeniscus; // [m]
-    float heightDeviation;      // of the waves [m]
-    float parallelDistance;     // of parallel_view.h [m]
-    vec2 meshOrigin;            // (u, v) of a mesh of the host's own
-    float perEdgeWidth;         // 1 / distance over which edges hold the waves [1/m]
-    float globeCurvature;       // 1 / its radius [1/m]
-    vec4 caustics;              // strength
+    float heightDeviation;  // of the waves [m]
+    float parallelDistance; // of parallel_view.h [m]
+    vec2 meshOrigin;        // (u, v) of a mesh of the host's own, or of the patches' lattice
+    float perEdgeWidth;     // 1 / distance over which edges hold the waves [1/m]
+    float globeCurvature;   // 1 / its radius [1/m]
+    float meshCell;         // edge of that lattice's cells [m]
+    float causticStrength;
+    float pad0, pad1;
     vec4 shafts;                // strength; by how much of a depth waves blur them; SunInWater::turnedAcross
     vec4 snow;                  // share of its cells that hold something, turns of the waves that carry it
     ivec4 snowCells[snowSizes]; // of marine_snow_lattice.h: the first along each axis, as they wrap

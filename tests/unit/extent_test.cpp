@@ -127,14 +127,15 @@ TEST(Extent, PatchesCoverWhatTheOutlineEnclosesExactlyOnce) {
                 const Outline outline = outlineOf(desc);
                 OutlinedPatches drawn;
                 selectPatches(allAround(eye, height), cell, range, outline, pinned, drawn);
+                const MeshLattice lattice = meshLattice(allAround(eye, height), cell, range);
                 for (double x = -81; x < 81; x += 1.93)
                     for (double z = -61; z < 61; z += 1.71) {
                         int cover = 0;
                         for (const OutlinedPatch& p : drawn.patches) {
                             const double edge = double{p.patch.cell} * patchCells;
-                            const glm::dvec2 at = glm::dvec2(x, z) - eye;
-                            if (at.x < p.patch.corner[0] || at.x >= p.patch.corner[0] + edge ||
-                                at.y < p.patch.corner[1] || at.y >= p.patch.corner[1] + edge)
+                            const glm::dvec2 at = glm::dvec2(x, z) - eye, corner = lattice.cornerOf(p.patch);
+                            if (at.x < corner.x || at.x >= corner.x + edge || at.y < corner.y ||
+                                at.y >= corner.y + edge)
                                 continue;
                             cover += isWithin(drawn, p, glm::vec2(at));
                             const double truth = outline.distanceTo({x, z});

@@ -14,4 +14,14 @@ inline seaglass::MeshView allAround(const glm::dvec2& eye, double height) {
     return view;
 }
 
+/// A patch in metres, as seen from the eye.
+struct PlacedPatch {
+    glm::dvec2 corner;
+    double cell, range;
+};
+
+inline PlacedPatch placed(const seaglass::MeshLattice& lattice, const seaglass::MeshPatch& patch) {
+    return {lattice.cornerOf(patch), double{patch.cell}, double{patch.range}};
+}
+
 } // namespace tests

@@ -1,6 +1,7 @@
 // The surface's mesh: it must cover the sea to the horizon once, and fit together where levels meet.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -19,14 +20,27 @@ namespace {
 
 using namespace seaglass;
 using tests::allAround;
+using tests::placed;
+using tests::PlacedPatch;
 
 constexpr double cell = 0.25;
 constexpr double range = 128;
 
-std::vector<MeshPatch> patchesFor(const MeshView& view, double rangeInCells = range) {
+struct Selected {
+    std::vector<PlacedPatch> patches;
+    uint32_t cells;
+};
+
+Selected select(const MeshView& view, double rangeInCells = range) {
     std::vector<MeshPatch> patches;
-    selectPatches(view, cell, rangeInCells, patches);
-    return patches;
+    Selected selected{{}, selectPatches(view, cell, rangeInCells, patches)};
+    const MeshLattice lattice = meshLattice(view, cell, rangeInCells);
+    for (const MeshPatch& patch : patches) selected.patches.push_back(placed(lattice, patch));
+    return selected;
+}
+
+std::vector<PlacedPatch> patchesFor(const MeshView& view, double rangeInCells = range) {
+    return select(view, rangeInCells).patches;
 }
 
 MeshView withWaves(MeshView view) {
@@ -35,8 +49,8 @@ MeshView withWaves(MeshView view) {
 }
 
 /// How many patches hold a point.
-int cover(const std::vector<MeshPatch>& patches, double u, double v) {
-    return static_cast<int>(std::count_if(patches.begin(), patches.end(), [&](const MeshPatch& p) {
+int cover(const std::vector<PlacedPatch>& patches, double u, double v) {
+    return static_cast<int>(std::count_if(patches.begin(), patches.end(), [&](const PlacedPatch& p) {
         const double edge = double{p.cell} * patchCells;
         return u >= p.corner[0] && u < p.corner[0] + edge && v >= p.corner[1] && v < p.corner[1] + edge;
     }));
@@ -44,7 +58,7 @@ int cover(const std::vector<MeshPatch>& patches, double u, double v) {
 
 TEST(Mesh, CoversThePlaneExactlyOnce) {
     for (const double height : {0.001, 2.0, 300.0, 1e5}) {
-        const std::vector<MeshPatch> patches = patchesFor(allAround({3.1, -7.7}, height));
+        const std::vector<PlacedPatch> patches = patchesFor(allAround({3.1, -7.7}, height));
         const double reach = std::max(100e3, 4000 * height) * 0.7;
         for (double r = 0.37; r < reach; r *= 1.9)
             for (double angle = 0.1; angle < 6.2; angle += 0.61)
@@ -55,17 +69,17 @@ TEST(Mesh, CoversThePlaneExactlyOnce) {
 
 TEST(Mesh, SaysWhichPatchesTheSeaEndsWith) {
     for (const double height : {2.0, 1e5}) {
-        const std::vector<MeshPatch> patches = patchesFor(allAround({3.1, -7.7}, height));
-        const auto wider = [](const MeshPatch& a, const MeshPatch& b) { return a.cell < b.cell; };
-        const float coarsest = std::max_element(patches.begin(), patches.end(), wider)->cell;
-        for (const MeshPatch& p : patches) EXPECT_EQ(p.range < 0, p.cell == coarsest);
+        const std::vector<PlacedPatch> patches = patchesFor(allAround({3.1, -7.7}, height));
+        const auto wider = [](const PlacedPatch& a, const PlacedPatch& b) { return a.cell < b.cell; };
+        const double coarsest = std::max_element(patches.begin(), patches.end(), wider)->cell;
+        for (const PlacedPatch& p : patches) EXPECT_EQ(p.range < 0, p.cell == coarsest);
     }
 }
 
 TEST(Mesh, VerticesStayWhereTheyAreWhenTheEyeMoves) {
     // Relative corners plus the eye are multiples of the patch's edge.
     const glm::dvec2 eye(1234.567, -98.76);
-    for (const MeshPatch& p : patchesFor(allAround(eye, 2))) {
+    for (const PlacedPatch& p : patchesFor(allAround(eye, 2))) {
         if (double{p.cell} * range > 2000) continue; // beyond, a float corner rounds to centimetres
         const double edge = double{p.cell} * patchCells;
         const double lattice = (p.corner[0] + eye.x) / edge;
@@ -73,17 +87,27 @@ TEST(Mesh, VerticesStayWhereTheyAreWhenTheEyeMoves) {
     }
 }
 
-double glide(const MeshPatch& p, double distance) {
+double glide(const PlacedPatch& p, double distance) {
     return std::clamp((distance / std::abs(double{p.range}) - 0.7) / (0.95 - 0.7), 0.0, 1.0);
+}
+
+/// As surface.vert does it, in floats.
+glm::vec2 vertexOf(const MeshLattice& lattice, const MeshPatch& patch, const glm::ivec2& grid, float glided) {
+    const glm::vec2 origin(lattice.origin);
+    const auto width = static_cast<float>(lattice.cell);
+    const int cell = static_cast<int>(std::round(patch.cell / width));
+    const glm::ivec2 at = glm::ivec2(patch.corner[0], patch.corner[1]) + grid * cell,
+                     moves = (grid & 1) * cell;
+    return origin + (glm::vec2(at - moves) + (1 - glided) * glm::vec2(moves)) * width;
 }
 
 /// Where a fine patch touches a coarser one its vertices must have glided fully, the coarser one's not at
 /// all.
-void expectNoCracks(const std::vector<MeshPatch>& patches, double height) {
+void expectNoCracks(const std::vector<PlacedPatch>& patches, double height) {
     const double end = 3000;
     int seams = 0;
-    for (const MeshPatch& fine : patches)
-        for (const MeshPatch& coarse : patches) {
+    for (const PlacedPatch& fine : patches)
+        for (const PlacedPatch& coarse : patches) {
             if (coarse.cell <= fine.cell || std::abs(fine.corner[0]) > end || std::abs(fine.corner[1]) > end)
                 continue;
             const double edge = double{fine.cell} * patchCells;
@@ -104,6 +128,35 @@ void expectNoCracks(const std::vector<MeshPatch>& patches, double height) {
     EXPECT_GT(seams, 0);
 }
 
+// What is nearly the same place is not: hardware rounds it to the one side or the other of a pixel's middle.
+TEST(Mesh, PatchesThatMeetShareTheirVerticesToTheLastBit) {
+    const double finest = 0.3; // no float has it
+    for (const double height : {0.3, 2000.0})
+        for (const glm::dvec2 eye : {glm::dvec2(11.3, 4.9), glm::dvec2(-98765.4321, 1e7 / 3)}) {
+            const MeshView view = withWaves(allAround(eye, height));
+            std::vector<MeshPatch> patches;
+            const uint32_t across = selectPatches(view, finest, range, patches) + 1;
+            const MeshLattice lattice = meshLattice(view, finest, range);
+            const auto isFar = [&](const MeshPatch& patch) {
+                return glm::length(lattice.cornerOf(patch)) > 100 + 2 * height;
+            };
+            std::erase_if(patches, isFar);
+            // Where they begin, and where they have glided to.
+            std::map<std::pair<double, double>, glm::vec2> seen;
+            size_t shared = 0;
+            for (const MeshPatch& patch : patches)
+                for (uint32_t n = 0; n < across * across; ++n)
+                    for (const float glided : {0.0f, 1.0f}) {
+                        const glm::vec2 at = vertexOf(lattice, patch, {n % across, n / across}, glided);
+                        const glm::dvec2 near = glm::round(glm::dvec2(at) / (lattice.cell / 4));
+                        const auto [first, isNew] = seen.try_emplace({near.x, near.y}, at);
+                        shared += !isNew;
+                        ASSERT_EQ(first->second, at) << "from " << height << " m";
+                    }
+            EXPECT_GT(shared, 1000u);
+        }
+}
+
 TEST(Mesh, LevelsMeetWithoutCracks) {
     for (const double height : {0.001, 0.5, 10.0, 77.0}) {
         const MeshView view = allAround({11.3, 4.9}, height);
@@ -114,7 +167,7 @@ TEST(Mesh, LevelsMeetWithoutCracks) {
 }
 
 TEST(Mesh, OfWavesIsFinerWhereTheyTouchTheEye) {
-    const auto finest = [](const std::vector<MeshPatch>& patches) { return double{patches.front().cell}; };
+    const auto finest = [](const std::vector<PlacedPatch>& patches) { return double{patches.front().cell}; };
     for (const double rangeInCells : {128.0, 256.0}) {
         for (const double height : {0.0, 0.3, 3.0, 15.0}) {
             const MeshView view = allAround({3.1, -7.7}, height);
@@ -143,7 +196,7 @@ TEST(Mesh, LeavesOutWhatIsBehindTheEye) {
     MeshView view = allAround({0, 0}, 2);
     const size_t all = patchesFor(view).size();
     view.frustum = frustumPlanes(tests::projectionMatrix(camera) * rotation * fromFoot, true);
-    const std::vector<MeshPatch> seen = patchesFor(view);
+    const std::vector<PlacedPatch> seen = patchesFor(view);
     EXPECT_LT(seen.size(), all / 2);
     EXPECT_EQ(cover(seen, 0.1, 50), 0);
     EXPECT_EQ(cover(seen, 0.1, -50), 1);
@@ -191,7 +244,7 @@ TEST(ParallelMesh, CoversWhatIsSeenOnceAndLittleElse) {
             camera.far = 200e3;
             camera.eye += (camera.eye - camera.target) * (height / 4);
             const MeshView view = meshViewOf(camera);
-            const std::vector<MeshPatch> patches = patchesFor(view);
+            const std::vector<PlacedPatch> patches = patchesFor(view);
             for (double y = -0.99; y < 1; y += 0.11)
                 for (double x = -0.99; x < 1; x += 0.11) {
                     const glm::dvec2 at = metAt(camera, view, x, y);
@@ -218,7 +271,7 @@ TEST(ParallelMesh, IsNoneWhereNoWaterIsSeen) {
 // Sight along the plane sees it from the near plane to the far one.
 TEST(ParallelMesh, IsBoundedWhereThePlaneIsSeenEdgeOn) {
     for (const double degreesDown : {0.0, 0.01, 0.5}) {
-        const std::vector<MeshPatch> patches = patchesFor(meshViewOf(parallelCamera(degreesDown, 20)));
+        const std::vector<PlacedPatch> patches = patchesFor(meshViewOf(parallelCamera(degreesDown, 20)));
         EXPECT_GT(patches.size(), 0u);
         EXPECT_LT(patches.size(), 3000u) << degreesDown;
     }
@@ -227,12 +280,12 @@ TEST(ParallelMesh, IsBoundedWhereThePlaneIsSeenEdgeOn) {
 // All patches are of one level, and have glided fully onto the next one's lattice when that takes over.
 TEST(ParallelMesh, ChangesNothingWhenALevelTakesOver) {
     double last = 0;
-    std::set<float> levels;
+    std::set<double> levels;
     for (double height = 60; height < 600; height *= 1.001) {
         const MeshView view = meshViewOf(parallelCamera(50, height));
-        const std::vector<MeshPatch> patches = patchesFor(view);
+        const std::vector<PlacedPatch> patches = patchesFor(view);
         ASSERT_FALSE(patches.empty());
-        for (const MeshPatch& p : patches) {
+        for (const PlacedPatch& p : patches) {
             EXPECT_EQ(p.cell, patches.front().cell);
             EXPECT_GT(p.range, view.parallel->distance) << "the sea ends nowhere";
         }
@@ -274,13 +327,12 @@ TEST(Mesh, ShowsTheWavesToAThirdOfAPixel) {
     const WaveDetail waves(swell());
     for (const double height : {2.0, 50.0, 1000.0, 30e3}) {
         MeshView view = allAround({3.1, -7.7}, height);
-        std::vector<MeshPatch> patches;
         view.waves = &waves;
         view.pixel = 1e-3;
-        const uint32_t cells = selectPatches(view, cell, range, patches);
+        const auto [patches, cells] = select(view);
         const auto lost = [&](double asWide) {
             double most = 0; // pixels
-            for (const MeshPatch& p : patches) {
+            for (const PlacedPatch& p : patches) {
                 const double edge = double{p.cell} * cells;
                 const glm::dvec2 corner(p.corner[0], p.corner[1]);
                 const glm::dvec2 nearest = glm::clamp(glm::dvec2(0), corner, corner + edge);
@@ -297,11 +349,11 @@ TEST(Mesh, ShowsTheWavesToAThirdOfAPixel) {
 TEST(Mesh, OfStillWaterHasTheFewestCellsOverTheSamePatches) {
     const WaveDetail still;
     MeshView view = allAround({3.1, -7.7}, 2);
-    const std::vector<MeshPatch> whole = patchesFor(view);
+    const std::vector<PlacedPatch> whole = patchesFor(view);
     view.waves = &still;
     view.pixel = 1e-3;
-    std::vector<MeshPatch> patches;
-    ASSERT_EQ(selectPatches(view, cell, range, patches), fewestCells);
+    const auto [patches, cells] = select(view);
+    ASSERT_EQ(cells, fewestCells);
     ASSERT_EQ(patches.size(), whole.size());
     for (size_t i = 0; i < whole.size(); ++i) {
         EXPECT_EQ(patches[i].corner[0], whole[i].corner[0]);
@@ -344,7 +396,7 @@ TEST(Mesh, OfAGlobeEndsBehindItsHorizon) {
         MeshView view = withWaves(allAround({0, 0}, height));
         const size_t flat = patchesFor(view).size();
         view.globe = Globe::of(6.371e6);
-        const std::vector<MeshPatch> patches = patchesFor(view);
+        const std::vector<PlacedPatch> patches = patchesFor(view);
         const double away = view.globe.horizonFrom(height) + view.globe.horizonFrom(view.displacement);
         for (double turn = 0; turn < 6.28; turn += 0.1)
             EXPECT_EQ(cover(patches, away * std::cos(turn), away * std::sin(turn)), 1) << height;
@@ -358,9 +410,8 @@ TEST(Mesh, OfAGlobeShowsNoCorners) {
     view.waves = &none;
     view.pixel = 1e-3;
     view.globe = Globe::of(6.371e6);
-    std::vector<MeshPatch> patches;
-    const uint32_t cells = selectPatches(view, cell, range, patches);
-    for (const MeshPatch& p : patches) {
+    const auto [patches, cells] = select(view);
+    for (const PlacedPatch& p : patches) {
         const glm::dvec2 low(p.corner[0], p.corner[1]);
         const glm::dvec2 near = glm::clamp(glm::dvec2(0), low, low + cells * double{p.cell});
         const double away = glm::length(glm::dvec3(near, view.eyeHeight));

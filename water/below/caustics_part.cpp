@@ -87,7 +87,7 @@ void CausticsPart::fill(const Body& body, const BodyView& view, BodyBlock& block
     const CausticGrid grid = causticGrid(body.shading, view.geometry, body.heightOf(view.geometry.eye));
     const SunInWater sun = fillSunInWater(block);
     block.sunTurned = glm::vec4(sun.turnedAlong, sun.turnedAcross, 0, 0);
-    block.caustics.x = caustics.strength();
+    block.causticStrength = caustics.strength();
     block.causticGrid = {grid.step, grid.margin, grid.rowLength, grid.firstRow};
     static_assert(sizeof block.lostSlopes == sizeof(LostSlopes));
     std::memcpy(block.lostSlopes, caustics.lostSlopes().data(), sizeof block.lostSlopes);

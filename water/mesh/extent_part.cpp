@@ -33,6 +33,10 @@ struct ExtentPart {
         block.covered = {-1e9f, -1e9f, 1e9f, 1e9f};
         if (placing.hostMesh) {
             block.meshOrigin = placing.hostMesh->origin - eye;
+        } else {
+            const MeshLattice lattice = placing.lattice(placing.meshView(view.geometry));
+            block.meshOrigin = lattice.origin;
+            block.meshCell = static_cast<float>(lattice.cell);
         }
         if (!placing.outline) return;
         block.covered = placing.outline->boxFrom(eye).packed();

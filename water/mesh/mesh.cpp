@@ -31,6 +31,7 @@ struct Lattice {
     double finestCell; ///< of those that are asked for
     double rangeInCells;
     int near = view.parallel ? 0 : nearLevels(view.displacement, finestCell);
+    MeshLattice drawnOn = points();
 
     double cell(int level) const { return std::ldexp(finestCell, level - near); }
     double edge(int level) const { return cell(level) * patchCells; }
@@ -90,26 +91,39 @@ struct Lattice {
             visit(corner + glm::dvec2(child & 1, child >> 1) * edge(level - 1));
     }
 
+    /// Of those that may be drawn: none is nearer than the calm plane.
+    int finest() const {
+        const double nearest = view.parallel ? view.parallel->distance : std::abs(view.eyeHeight);
+        int level = 0;
+        while (range(level) < nearest) ++level;
+        return level;
+    }
+
+    MeshLattice points() const {
+        const double width = cell(finest());
+        return {width, glm::floor(view.eye / width) * width - view.eye};
+    }
+
     MeshPatch patch(int level, const glm::dvec2& corner) const {
-        return {{static_cast<float>(corner.x), static_cast<float>(corner.y)},
+        const glm::dvec2 cells = glm::round((corner - drawnOn.origin) / drawnOn.cell);
+        return {{static_cast<int32_t>(cells.x), static_cast<int32_t>(cells.y)},
                 static_cast<float>(cell(level)),
                 static_cast<float>(range(level))};
     }
 };
 
-double distanceTo(const MeshView& view, const MeshPatch& patch) {
-    const float half = 0.5f * patch.cell * patchCells;
-    const glm::vec2 middle(patch.corner[0] + half, patch.corner[1] + half);
-    if (view.parallel) return glm::dot(view.parallel->along, glm::dvec2(middle));
-    return double{std::hypot(middle.x, middle.y)};
+double distanceTo(const Lattice& lattice, const MeshPatch& patch) {
+    const glm::dvec2 middle = lattice.drawnOn.cornerOf(patch) + 0.5 * double{patch.cell} * patchCells;
+    const std::optional<ParallelLines>& parallel = lattice.view.parallel;
+    return parallel ? glm::dot(parallel->along, middle) : glm::length(middle);
 }
 
 void widenCells(MeshPatch& patch, uint32_t cells) {
     patch.cell *= static_cast<float>(patchCells / cells);
 }
 
-bool drawnBefore(const MeshView& view, const MeshPatch& a, const MeshPatch& b) {
-    return view.farthestFirst ? distanceTo(view, a) > distanceTo(view, b) : a.cell < b.cell;
+bool drawnBefore(const Lattice& lattice, const MeshPatch& a, const MeshPatch& b) {
+    return lattice.view.farthestFirst ? distanceTo(lattice, a) > distanceTo(lattice, b) : a.cell < b.cell;
 }
 
 class Selection {
@@ -118,9 +132,8 @@ class Selection {
 
     uint32_t run() {
         lattice_.view.parallel ? selectSeen(*lattice_.view.parallel) : selectToHorizon();
-        std::stable_sort(out_.begin(), out_.end(), [&](const MeshPatch& a, const MeshPatch& b) {
-            return drawnBefore(lattice_.view, a, b);
-        });
+        std::stable_sort(out_.begin(), out_.end(),
+                         [&](const MeshPatch& a, const MeshPatch& b) { return drawnBefore(lattice_, a, b); });
         for (MeshPatch& patch : out_) widenCells(patch, cells_);
         return cells_;
     }
@@ -181,7 +194,7 @@ class OutlinedSelection {
                          [&](const glm::dvec2& corner) { visit(coarsest, corner, edges); });
         std::stable_sort(out_.patches.begin(), out_.patches.end(),
                          [&](const OutlinedPatch& a, const OutlinedPatch& b) {
-                             return drawnBefore(lattice_.view, a.patch, b.patch);
+                             return drawnBefore(lattice_, a.patch, b.patch);
                          });
         for (OutlinedPatch& outlined : out_.patches) widenCells(outlined.patch, cells_);
         return cells_;
@@ -234,6 +247,14 @@ class OutlinedSelection {
 };
 
 } // namespace
+
+glm::dvec2 MeshLattice::cornerOf(const MeshPatch& patch) const {
+    return origin + glm::dvec2(patch.corner[0], patch.corner[1]) * cell;
+}
+
+MeshLattice meshLattice(const MeshView& view, double finestCell, double rangeInCells) {
+    return Lattice{view, finestCell, rangeInCells}.drawnOn;
+}
 
 double cellNearEye(double displacement, double finestCell) {
     return std::ldexp(finestCell, -nearLevels(displacement, finestCell));

@@ -20,17 +20,29 @@
 
 namespace seaglass {
 
+struct MeshPatch;
+
 constexpr uint32_t patchCells = 16; ///< across a patch, at the most; the shader's patchCells
 constexpr uint32_t fewestCells = 2; ///< of which every other vertex still glides
 constexpr uint32_t fewestInRange =
     128;                             ///< cells until the next level takes over; see glideBegins of the shader
 constexpr double nearestCell = 0.01; ///< [m]: waves that are shorter than two of these are ripples
 
+/// What a view's patches lie on. A vertex is so many cells from one point for all patches that share it, so
+/// it has the same bits in each: no pixel falls between them.
+struct MeshLattice {
+    double cell;       ///< edge of the finest cells that patches may have [m]
+    glm::dvec2 origin; ///< one of its points, relative to the eye [m]
+
+    /// Relative to the eye [m].
+    glm::dvec2 cornerOf(const MeshPatch& patch) const;
+};
+
 /// One patch as the vertex shader reads it.
 struct MeshPatch {
-    float corner[2]; ///< lowest (u, v), relative to the eye [m]
-    float cell;      ///< edge of a cell [m]
-    float range;     ///< distance within which this level is used [m]; negative: the sea ends with it
+    int32_t corner[2]; ///< lowest (u, v), from the lattice's origin [cells of the lattice]
+    float cell;        ///< edge of a cell [m]
+    float range;       ///< distance within which this level is used [m]; negative: the sea ends with it
 };
 
 /// One patch of a body with an outline.
@@ -69,6 +81,8 @@ bool inSight(const MeshView& view, const OutlineBox& box);
 /// meshed finer than those, in levels as short as may be, so that the water's line across a lens has its
 /// waves.
 double cellNearEye(double displacement, double finestCell);
+
+MeshLattice meshLattice(const MeshView& view, double finestCell, double rangeInCells);
 
 /// Patches from fine to coarse, or from far to near, out to the horizon; those out of sight left out. Returns
 /// how many cells are across each: no more than it takes to leave out of the waves 0.31 of a pixel.

@@ -93,6 +93,10 @@ bool Placing::maySee(const ViewGeometry& geometry) {
     return !patches.empty();
 }
 
+MeshLattice Placing::lattice(const MeshView& view) const {
+    return meshLattice(view, double{mesh.cellSize}, mesh.cellsPerLevel);
+}
+
 double Placing::cellNearEye(const ViewGeometry& geometry) const {
     const double asked{mesh.cellSize};
     return hostMesh || geometry.parallel ? asked : seaglass::cellNearEye(displacement, asked);
@@ -115,7 +119,7 @@ bool Placing::mayBeCut(const MeshView& view, const std::vector<ExclusionPlanes>&
     if (patch.range < 0) return true; // drawn out to the horizon
     const double edge = double{patch.cell} * across;
     const double moved = view.displacement + 1e-3 * edge; // and what floats round
-    const glm::dvec2 corner(patch.corner[0], patch.corner[1]);
+    const glm::dvec2 corner = lattice(view).cornerOf(patch);
     const glm::dvec2 farthest = glm::max(glm::abs(corner), glm::abs(corner + edge));
     const double sunk = view.globe.dropAt(glm::dot(farthest, farthest));
     const glm::dvec2 low = view.eye + corner - moved, high = view.eye + corner + edge + moved;

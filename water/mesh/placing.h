@@ -60,6 +60,8 @@ struct Placing {
     MeshView meshView(const ViewGeometry& geometry) const;
     /// False: the view sees nothing of the body.
     bool maySee(const ViewGeometry& geometry);
+    /// That patches lie on.
+    MeshLattice lattice(const MeshView& view) const;
     /// Edge of the cells that a view's near plane cuts [m].
     double cellNearEye(const ViewGeometry& geometry) const;
     /// Whether a point lies over what the body covers.

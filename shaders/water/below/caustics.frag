@@ -67,7 +67,7 @@ void main() {
     if (!shown || beside) demote;
     vec3 factor = vec3(1.0);
     const float leastSeen = 0.004;   // a step of eight bits, where light gathers to twice its mean
-    vec3 straight = water.caustics.x * straightOn(depth);
+    vec3 straight = water.causticStrength * straightOn(depth);
     bool lit = any(greaterThan(straight * sunShare(normal, 1.0), vec3(leastSeen)));
     if (lit && !isExcluded(at)) {
         vec2 light = lightHere();

@@ -9,10 +9,10 @@
 // caustics there.
 float gatheredIn(vec4 color) {
     if (sceneIsEncoded) {
-        bool held = water.caustics.x > 0.0 && color.a > 0.01 && color.a < leastUntold;
+        bool held = water.causticStrength > 0.0 && color.a > 0.01 && color.a < leastUntold;
         return held ? mostGathered * color.a : 1.0;
     }
-    bool told = water.caustics.x > 0.0 && color.a > 0.05 && color.a < 20.0;
+    bool told = water.causticStrength > 0.0 && color.a > 0.05 && color.a < 20.0;
     return told ? color.a : 1.0;
 }
 

@@ -26,7 +26,7 @@ const uint stepRest = 3;
 const bool writesLight = surfaceOutput <= outputReflection;   // and else figures, which no target encodes
 
 struct MeshPatch {
-    vec2 corner;
+    ivec2 corner;   // from meshOrigin [meshCell]
     float cell;
     float range;
 };

@@ -31,12 +31,19 @@ Vertex hostVertex() {
     return Vertex(water.meshOrigin + vertex.calm, vertex.cell, loosenessAt(vertex.fromEdge));
 }
 
+vec2 onLattice(vec2 cells) {
+    return water.meshOrigin + cells * water.meshCell;
+}
+
 Vertex patchVertex(MeshPatch patch_) {
     ivec2 grid = ivec2(gl_VertexIndex % (patchCells + 1), gl_VertexIndex / (patchCells + 1));
-    vec2 calm = patch_.corner + vec2(grid) * patch_.cell;
-    float share = distanceForDetail(calm) / abs(patch_.range);
+    int cell = int(round(patch_.cell / water.meshCell));
+    ivec2 at = patch_.corner + grid * cell;
+    float share = distanceForDetail(onLattice(vec2(at))) / abs(patch_.range);
     float glide = clamp((share - glideBegins) / (glideEnds - glideBegins), 0.0, 1.0);
-    calm -= vec2(grid & 1) * patch_.cell * glide;
+    // Where it has glided to the coarser lattice, from that point's whole numbers.
+    ivec2 moves = (grid & 1) * cell;
+    vec2 calm = onLattice(vec2(at - moves) + (1.0 - glide) * vec2(moves));
     // Drawn out at its end, so that no corners of patches show against the sky.
     if (patch_.range < 0.0) calm *= 1.0 + 10.0 * smoothstep(0.9, 1.0, share);
     return Vertex(calm, patch_.cell * (1.0 + glide), 1.0);

@@ -78,6 +78,25 @@ TEST_F(Water, WavesLeaveNoHoles) {
     }
 }
 
+// Two of 700 views in which one did, where patches had their shared vertices in places of their own, an ulp
+// apart.
+TEST_F(Water, NoPixelFallsBetweenPatches) {
+    SeaDesc rough = breeze();
+    rough.windSpeed = 12;
+    Body* body = wavyBody(rough);
+    for (const int n : {184, 458}) {
+        Camera camera = seaCamera();
+        camera.eye = {1234.567 * n + 0.123 * n * n, 2.0 + 0.35 * (n % 60), -777.77 * n};
+        camera.target = camera.eye + glm::dvec3(std::sin(n), -0.35, std::cos(n));
+        camera.rollDegrees = 7 * n;
+        const WaterPicture p = picture({body}, camera, 5, SurfaceOutput::height);
+        for (uint32_t y = 0; y < p.height; ++y)
+            for (uint32_t x = 0; x < p.width; ++x)
+                EXPECT_TRUE(angleBelowHorizon(camera, x, y) <= 0.05 || p.covered(size_t{y} * p.width + x))
+                    << n << ": " << x << ", " << y;
+    }
+}
+
 TEST_F(Water, TheSurfaceStandsWhereHeightQueriesSay) {
     SeaDesc desc = breeze();
     desc.samples = 256;
