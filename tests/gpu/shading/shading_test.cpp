@@ -237,8 +237,8 @@ const Look looks[] = {
          d.sea.shore = &d.shore;
          d.body.refraction = &d.refraction;
          c.eye = {0, 5, -20};
-         // The horizon lies between the middles of two rows: at 0 it is 0.007 pixels from one, and drivers place vertices on
-         // grids of up to 1/16 pixel.
+         // The horizon lies between the middles of two rows: at 0 it is 0.007 pixels from one, and drivers
+         // place vertices on grids of up to 1/16 pixel.
          c.target = {0, -0.2, 0};
      },
      0.04, 0.01},
