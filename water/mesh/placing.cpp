@@ -21,10 +21,32 @@ double pixelStep(const ViewGeometry& geometry) {
     return 1 / std::sqrt(glm::length(glm::cross(right, down)));
 }
 
+/// Whether a volume may reach into a patch, as waves move it.
+struct MayBeCut {
+    const MeshView& view;
+    const std::vector<ExclusionPlanes>& volumes;
+    MeshLattice lattice;
+    double level;    ///< of the calm plane [m]
+    uint32_t across; ///< cells of a patch
+
+    bool operator()(const OutlinedPatch& patch) const { return (*this)(patch.patch); }
+    bool operator()(const MeshPatch& patch) const {
+        if (volumes.empty()) return false;
+        if (patch.range < 0) return true; // drawn out to the horizon
+        const double edge = double{patch.cell} * across;
+        const double moved = view.displacement + 1e-3 * edge; // and what floats round
+        const glm::dvec2 corner = lattice.cornerOf(patch);
+        const glm::dvec2 farthest = glm::max(glm::abs(corner), glm::abs(corner + edge));
+        const double sunk = view.globe.dropAt(glm::dot(farthest, farthest));
+        const glm::dvec2 low = view.eye + corner - moved, high = view.eye + corner + edge + moved;
+        return mayExcludeIn(volumes, {low.x, level - moved - sunk, low.y}, {high.x, level + moved, high.y});
+    }
+};
+
 /// Puts those that may be cut last, but where patches have an order; returns how many come before.
-template<typename Patch, typename MayBeCut>
-uint32_t uncutFirst(const MeshView& view, std::vector<Patch>& patches, MayBeCut&& mayBeCut) {
-    if (view.farthestFirst) return 0;
+template<typename Patch>
+uint32_t uncutFirst(std::vector<Patch>& patches, const MayBeCut& mayBeCut) {
+    if (mayBeCut.view.farthestFirst) return 0;
     const auto cut = std::stable_partition(patches.begin(), patches.end(),
                                            [&](const Patch& patch) { return !mayBeCut(patch); });
     return static_cast<uint32_t>(cut - patches.begin());
@@ -113,26 +135,12 @@ Status Placing::place(Context& context, const MeshView& view, const std::vector<
     return outline ? placeOutlined(context, view, volumes, out) : placePatches(context, view, volumes, out);
 }
 
-bool Placing::mayBeCut(const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
-                       const MeshPatch& patch, uint32_t across) const {
-    if (volumes.empty()) return false;
-    if (patch.range < 0) return true; // drawn out to the horizon
-    const double edge = double{patch.cell} * across;
-    const double moved = view.displacement + 1e-3 * edge; // and what floats round
-    const glm::dvec2 corner = lattice(view).cornerOf(patch);
-    const glm::dvec2 farthest = glm::max(glm::abs(corner), glm::abs(corner + edge));
-    const double sunk = view.globe.dropAt(glm::dot(farthest, farthest));
-    const glm::dvec2 low = view.eye + corner - moved, high = view.eye + corner + edge + moved;
-    return mayExcludeIn(volumes, {low.x, level - moved - sunk, low.y}, {high.x, level + moved, high.y});
-}
-
 Status Placing::placePatches(Context& context, const MeshView& view,
                              const std::vector<ExclusionPlanes>& volumes, PlacedMesh& out) {
     const uint32_t across = selectPatches(view, double{mesh.cellSize}, mesh.cellsPerLevel, patches);
     placeCells(across, out);
     out.instanceCount = static_cast<uint32_t>(patches.size());
-    out.uncut = uncutFirst(view, patches,
-                           [&](const MeshPatch& patch) { return mayBeCut(view, volumes, patch, across); });
+    out.uncut = uncutFirst(patches, {view, volumes, lattice(view), level, across});
     return patches.empty() ? Status::ok : context.frame().uploadInRow(out.patches, patches);
 }
 
@@ -143,9 +151,7 @@ Status Placing::placeOutlined(Context& context, const MeshView& view,
     placeCells(across, out);
     out.instanceCount = static_cast<uint32_t>(outlined.patches.size());
     if (outlined.patches.empty()) return Status::ok;
-    out.uncut = uncutFirst(view, outlined.patches, [&](const OutlinedPatch& patch) {
-        return mayBeCut(view, volumes, patch.patch, across);
-    });
+    out.uncut = uncutFirst(outlined.patches, {view, volumes, lattice(view), level, across});
     if (const Status s = context.frame().uploadInRow(out.patches, outlined.patches); s != Status::ok)
         return s;
     const std::array box = {outline->boxFrom(view.eye).packed()};

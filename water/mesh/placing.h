@@ -71,9 +71,6 @@ struct Placing {
                  PlacedMesh& out);
 
   private:
-    /// Whether a volume may reach into a patch of cells so many across, as waves move it.
-    bool mayBeCut(const MeshView& view, const std::vector<ExclusionPlanes>& volumes, const MeshPatch& patch,
-                  uint32_t across) const;
     Status placePatches(Context& context, const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
                         PlacedMesh& out);
     Status placeOutlined(Context& context, const MeshView& view, const std::vector<ExclusionPlanes>& volumes,
