@@ -97,6 +97,8 @@ struct FrameDesc {
     bool bloom = false;
     /// Likewise: averaged with the frames before. Wants `follows`, and jitterOf() another index in each.
     bool temporal = false;
+    /// Clouds are as ragged as SkyDesc::detail says; what is measured has the file's own.
+    bool skyDetail = false;
 };
 
 struct PassTime {

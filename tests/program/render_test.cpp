@@ -218,6 +218,25 @@ TEST_F(Render, SkyAndMeshOfOnesOwn) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
+TEST_F(Render, SkiesHaveDetailWhereTheSceneSaysSoAndItsOwnSkyIsSeen) {
+    tests::writeAll(folder_.path() / "mine.hdr", tests::sampleSky());
+    const auto pictureOf = [this](Names more) {
+        more.insert(more.end(), {"-o", "out/a.png"});
+        EXPECT_EQ(render(more).code, 0);
+        return tests::readAll(out("a.png"));
+    };
+    const Names detailed = {"--set", "sky.detail=1"}, mine = {"--sky", "mine.hdr"};
+    const Names plain = {"--plain"}, plainDetailed = {"--plain", "--set", "sky.detail=1"};
+    std::string text = tests::readAll(folder_.path() / "scene.toml");
+    EXPECT_TRUE(pictureOf(plainDetailed) == pictureOf(plain)) << "what is measured has the file's own";
+    EXPECT_FALSE(pictureOf(detailed) == pictureOf({}));
+    const std::string others = pictureOf(mine);
+    text.insert(text.find("file = \"sky.hdr\""), "detail = 1.0\n");
+    tests::writeAll(folder_.path() / "scene.toml", text);
+    EXPECT_TRUE(pictureOf(mine) == others) << "which may be of more than clouds";
+    EXPECT_FALSE(pictureOf({"--sky", "mine.hdr", "--set", "sky.detail=1"}) == others);
+}
+
 TEST_F(Render, EveryAov) {
     for (const char* aov : {"color", "reflection", "class", "height", "normal", "foam", "depth",
                             "reflection_source", "scene"}) {

@@ -54,6 +54,7 @@ bool loadSky(Device& device, const SkyDesc& desc, const SunDesc& sun, Sky& out, 
     out.irradianceUp = light.irradianceUp;
     out.rotationDeg = desc.rotationDeg;
     out.intensity = desc.intensity;
+    out.detail = desc.clear ? 0 : desc.detail;
     SamplerDesc around;
     around.u = VK_SAMPLER_ADDRESS_MODE_REPEAT;
     return uploadCube(device, light.cube, out.cube, error) && uploadImage(device, *image, out.image, error) &&
@@ -61,10 +62,11 @@ bool loadSky(Device& device, const SkyDesc& desc, const SunDesc& sun, Sky& out, 
            createSampler(device, around, out.imageSampler, error);
 }
 
-void setSkyUniforms(const Sky& sky, const Camera& camera, VkExtent2D extent, FrameUniforms& uniforms) {
+void setSkyUniforms(const Sky& sky, bool detailed, const Camera& camera, VkExtent2D extent,
+                    FrameUniforms& uniforms) {
     uniforms.skyRight = glm::vec4(camera.right * camera.tanHalfFovX, 0);
     uniforms.skyUp = glm::vec4(camera.up * camera.tanHalfFovY, 0);
-    uniforms.skyForward = glm::vec4(camera.forward, 0);
+    uniforms.skyForward = glm::vec4(camera.forward, detailed ? sky.detail : 0);
     const double pixel = 2 * camera.tanHalfFovY / extent.height;
     const bool visible = sky.sun.direction.y > 0;
     uniforms.toSun = glm::vec4(sky.sun.direction, visible ? 1 : 0);

@@ -13,14 +13,15 @@ struct Sky {
     UniqueSampler cubeSampler, imageSampler;
     std::array<glm::vec3, 9> irradianceSh{};
     glm::vec3 irradianceUp{0};
-    double rotationDeg = 0, intensity = 1;
+    double rotationDeg = 0, intensity = 1, detail = 0;
     Sun sun;
 };
 
 bool loadSky(Device& device, const SkyDesc& sky, const SunDesc& sun, Sky& out, Error& error);
 
-/// Fills in what the shaders need of sky, sun and camera.
-void setSkyUniforms(const Sky& sky, const Camera& camera, VkExtent2D extent, FrameUniforms& uniforms);
+/// Fills in what the shaders need of sky, sun and camera. `detailed`: FrameDesc::skyDetail.
+void setSkyUniforms(const Sky& sky, bool detailed, const Camera& camera, VkExtent2D extent,
+                    FrameUniforms& uniforms);
 
 class SkyPass {
   public:

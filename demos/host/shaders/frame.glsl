@@ -7,7 +7,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     mat4 shadowFromEye[4];  // eye-relative position to each shadow cascade's clip space
     vec4 skyRight;          // half the picture's width at distance 1
     vec4 skyUp;
-    vec4 skyForward;
+    vec4 skyForward;        // w: how ragged clouds are between texels, 0 to 1
     vec4 toSun;             // w: 1 where the disc is drawn
     vec4 sunIrradiance;     // on a plane facing the sun
     vec4 sunRadiance;       // of the disc; w: half the width of its soft edge [rad]

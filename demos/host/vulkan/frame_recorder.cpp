@@ -198,7 +198,7 @@ bool FrameRecorder::begin(LoadedScene& scene, const FrameDesc& frame, Error& err
 void FrameRecorder::writeUniforms() {
     uniforms_ = {};
     setClip(camera_.projection * camera_.rotation, uniforms_);
-    setSkyUniforms(scene_->sky, camera_, targets_.extent, uniforms_);
+    setSkyUniforms(scene_->sky, frame_.skyDetail, camera_, targets_.extent, uniforms_);
     setShadowUniforms(shadowFits_, uniforms_);
     setBentUniforms(surface_->sun, camera_.eye, uniforms_);
     wetSand();

@@ -44,6 +44,7 @@ std::optional<Scene> readScene(const RenderOptions& options, Error& error) {
         overrides.push_back("sky.file=" + fs::absolute(options.sky).string());
         overrides.push_back("sky.layer=''");
         overrides.push_back("sky.clear=false");
+        overrides.push_back("sky.detail=0"); // it may be of more than clouds
         // The scene's sun is that of the scene's sky.
         if (!sets(options.overrides, "sun")) overrides.push_back("sun.from_sky=true");
     }

@@ -18,9 +18,9 @@ void describeQuality(CLI::App& command, RawScene& raw) {
 }
 
 void describePlain(CLI::App& command, RawScene& raw) {
-    command.add_flag(
-        "--plain", raw.plain,
-        "Without air, bloom, glitter and antialiasing, as what is measured: EXR files, --aov, --stats");
+    command.add_flag("--plain", raw.plain,
+                     "Without air, bloom, glitter, detail of clouds and antialiasing, as what is measured: "
+                     "EXR files, --aov, --stats");
 }
 
 void describeStrict(CLI::App& command, bool& strict) {

@@ -108,6 +108,8 @@ constexpr std::array skyFields = {
     Field{"rotation_deg", at<&SkyDesc::rotationDeg>, -turn, turn, "degrees",
           "turn about +Y, from +X towards +Z"},
     Field{"intensity", at<&SkyDesc::intensity>, 0, 1e6, "", "scale of the radiance"},
+    Field{"detail", at<&SkyDesc::detail>, 0, 1, "",
+          "how ragged clouds are between the file's texels, where those are larger than pixels"},
 };
 
 constexpr std::array sunFields = {

@@ -24,6 +24,7 @@ struct SkyDesc {
     double haze = 2;            ///< of a clear sky: 1 is clean air
     double rotationDeg = 0;     ///< turns it about +Y
     double intensity = 1;       ///< radiance scale
+    double detail = 0;          ///< of clouds, finer than the picture's texels: 1 as ragged as cumulus is
     std::string where = {};     ///< of `file` in the scene, for errors: "harbour.toml:9: sky.file"
 };
 

@@ -197,7 +197,7 @@ class Viewer::Impl {
 
     bool measure(Error& problem) {
         FrameDesc bare = frame(0);
-        bare.bloom = bare.temporal = false;
+        bare.bloom = bare.temporal = bare.skyDetail = false;
         bare.jitterPx = {};
         info_.costs = host_.measure(bare, measuredRuns, problem);
         return info_.costs.has_value();
@@ -240,7 +240,8 @@ class Viewer::Impl {
         FrameDesc frame{extent.width, extent.height, state_.camera, state_.timeS, state_.aov, surface};
         frame.follows = follows_;
         // Halves are compared.
-        frame.bloom = frame.temporal = state_.lens && state_.aov == Aov::color && !state_.split;
+        frame.bloom = frame.temporal = frame.skyDetail =
+            state_.lens && state_.aov == Aov::color && !state_.split;
         if (frame.temporal) frame.jitterPx = jitterOf(shown_);
         return frame;
     }

@@ -76,7 +76,7 @@ class Run {
                   options.aov,
                   0,
                   options.mistake};
-        frame_.bloom = options.lens;
+        frame_.bloom = frame_.skyDetail = options.lens;
     }
 
     bool all(Progress& progress, Error& error) {

@@ -23,7 +23,7 @@ bool layOutSky(SkyDesc& sky) {
     ImGui::BeginDisabled(sky.file.empty()); // there is no other sky
     bool changed = layOutKeys("sky", {"clear"}, &sky, &asNew);
     ImGui::EndDisabled();
-    changed |= layOutKeys("sky", {"haze", "rotation_deg", "intensity"}, &sky, &asNew);
+    changed |= layOutKeys("sky", {"haze", "rotation_deg", "intensity", "detail"}, &sky, &asNew);
     return changed;
 }
 
