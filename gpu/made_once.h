@@ -18,6 +18,7 @@ class MadeOnce {
         Entry& entry = find(key);
         const std::lock_guard making(entry.making);
         if (!entry.made) {
+            entry.value = {}; // what was left where `make` threw
             if (const Status s = make(entry.value); s != Status::ok) {
                 entry.value = {};
                 return s;

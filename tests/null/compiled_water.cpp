@@ -201,9 +201,10 @@ void CompiledWater::makeKernels() {
             (void)shareMarch(*context_, cells, open, march);
         }
     WaveKernels waves;
+    (void)waves.create(*context_);
     for (uint32_t samples = 16; samples <= 2048; samples *= 2) {
-        const WaveKernels::Pair* pair = nullptr;
-        (void)waves.get(context_->device, samples, pair);
+        const WavePair* pair = nullptr;
+        (void)waves.get(samples, pair);
     }
 }
 

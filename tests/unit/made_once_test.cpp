@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <latch>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -41,6 +42,24 @@ TEST(MadeOnce, IsMadeByOneOfManyThreads) {
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(made, 200);
     EXPECT_EQ(wrong, 0);
+}
+
+TEST(MadeOnce, WhatThrewIsMadeAnew) {
+    MadeOnce<int, Thing> things;
+    const Thing* thing = nullptr;
+    const auto throws = [](Thing& fresh) -> Status {
+        fresh.number = 1; // a part of it
+        throw std::bad_alloc();
+    };
+    EXPECT_THROW((void)things.get(1, throws, thing), std::bad_alloc);
+    EXPECT_EQ(thing, nullptr);
+    const auto counts = [](Thing& fresh) {
+        ++fresh.number;
+        return Status::ok;
+    };
+    EXPECT_EQ(things.get(1, counts, thing), Status::ok);
+    ASSERT_NE(thing, nullptr);
+    EXPECT_EQ(thing->number, 1) << "of a fresh one";
 }
 
 // One that takes long keeps nobody from another.

@@ -172,7 +172,7 @@ Status checkBindings(const gpu::Device& device, const Sea& sea) {
 
 } // namespace
 
-Status WaveKernels::createPair(const gpu::Device& device, uint32_t samples, Pair& out) {
+Status buildWaves(const gpu::Device& device, const uint32_t& samples, WavePair& out) {
     const bool copied = device.isCpu();
     const uint32_t rowGroups = copied ? 1 : 2;
     WavesConstants given;
@@ -188,15 +188,6 @@ Status WaveKernels::createPair(const gpu::Device& device, uint32_t samples, Pair
     given.invocations *= rowGroups;
     const std::span<const uint32_t> stores(waves_rows_comp), isCopied(waves_rows_copied_comp);
     return out.rows.create(device, copied ? isCopied : stores, "waves rows pipeline", given.constants());
-}
-
-Status WaveKernels::get(const gpu::Device& device, uint32_t samples, const Pair*& out) {
-    const auto [entry, fresh] = kernels_.try_emplace(samples);
-    out = &entry->second;
-    if (!fresh) return Status::ok;
-    const Status s = createPair(device, samples, entry->second);
-    if (s != Status::ok) kernels_.erase(entry);
-    return s;
 }
 
 VkImageUsageFlags ComputedWaves::mapUsage(const gpu::Device& device) {
@@ -216,8 +207,8 @@ Status ComputedWaves::create(Context& context, const Sea& sea) {
     if (const Status s = checkBindings(context.device, sea); s != Status::ok) return s;
     for (uint32_t c = 0; c < sea.count; ++c) packing_[c] = wavePacking(sea.modes[c]);
     if (const Status s = context.share(kernels_); s != Status::ok) return s;
-    const WaveKernels::Pair* built = nullptr;
-    if (const Status s = kernels_->get(context.device, sea.desc.samples, built); s != Status::ok) return s;
+    const WavePair* built = nullptr;
+    if (const Status s = kernels_->get(sea.desc.samples, built); s != Status::ok) return s;
     const VkDeviceSize bytes = modeBytes(sea);
     if (const Status s = modes_.create(context.device, bytes, modeUsage, "wave modes"); s != Status::ok)
         return s;
@@ -233,7 +224,7 @@ Status ComputedWaves::create(Context& context, const Sea& sea) {
     return columns_.create(context.device, columnBytes(sea), columnUsage, "wave columns");
 }
 
-Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels,
+Status ComputedWaves::describe(Context& context, const WaveMaps& maps, const WavePair& kernels,
                                uint32_t cascades, double time, Sets& out) const {
     const WavesBlock block = blockOf(*sea_, cascades, packing_, time);
     gpu::Slice slice;
@@ -284,9 +275,9 @@ Status ComputedWaves::recordFirst(Context& context, VkCommandBuffer commands, co
 Status ComputedWaves::recordMaps(Context& context, VkCommandBuffer commands, const WaveMaps& maps,
                                  uint32_t cascades, double time) {
     const gpu::Device& device = context.device;
-    const WaveKernels::Pair* kernels = nullptr;
+    const WavePair* kernels = nullptr;
     Sets sets;
-    if (const Status s = kernels_->get(device, maps.samples, kernels); s != Status::ok) return s;
+    if (const Status s = kernels_->get(maps.samples, kernels); s != Status::ok) return s;
     if (const Status s = describe(context, maps, *kernels, cascades, time, sets); s != Status::ok) return s;
 
     recordUpload(context, commands);

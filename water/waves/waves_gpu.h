@@ -4,33 +4,22 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <memory>
 
 #include "gpu/memory/buffer.h"
-#include "gpu/pipeline/kernel.h"
+#include "gpu/pipeline/kernel_cache.h"
 #include "seaglass/sea.h"
 #include "water/waves/wave_maps.h"
 
 namespace seaglass {
 
-/// Of all bodies of a context, by samples across.
-class WaveKernels {
-  public:
-    Status create(Context&) { return Status::ok; }
-
-    struct Pair {
-        gpu::Kernel columns;
-        gpu::Kernel rows;
-    };
-    /// Builds on first use.
-    Status get(const gpu::Device& device, uint32_t samples, const Pair*& out);
-
-  private:
-    static Status createPair(const gpu::Device& device, uint32_t samples, Pair& out);
-
-    std::map<uint32_t, Pair> kernels_;
+struct WavePair {
+    gpu::Kernel columns;
+    gpu::Kernel rows;
 };
+/// Of a sea of `samples` across.
+Status buildWaves(const gpu::Device& device, const uint32_t& samples, WavePair& out);
+using WaveKernels = gpu::KernelCache<uint32_t, WavePair, buildWaves>;
 
 class ComputedWaves {
   public:
@@ -52,8 +41,8 @@ class ComputedWaves {
     };
     Status recordMaps(Context& context, VkCommandBuffer commands, const WaveMaps& maps, uint32_t cascades,
                       double time);
-    Status describe(Context& context, const WaveMaps& maps, const WaveKernels::Pair& kernels,
-                    uint32_t cascades, double time, Sets& out) const;
+    Status describe(Context& context, const WaveMaps& maps, const WavePair& kernels, uint32_t cascades,
+                    double time, Sets& out) const;
     void recordUpload(Context& context, VkCommandBuffer commands);
 
     const Sea* sea_ = nullptr;
