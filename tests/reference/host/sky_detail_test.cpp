@@ -92,7 +92,7 @@ TEST_F(SkyDetail, RagsCloudsBetweenTexelsAndKeepsTheMean) {
     EXPECT_GT(rms, 0.15);
     EXPECT_LT(rms, 0.8) << "shapes that the file has are kept";
     EXPECT_LT(std::abs(mean), 0.25);
-    EXPECT_GT(turns, 0.5 * width_ / texel) << "which of its own an edge cannot, that has a texel's width_";
+    EXPECT_GT(turns, 0.5 * width_ / texel) << "which of its own an edge cannot, that has a texel's width";
     EXPECT_NEAR(meanOf(ragged) / meanOf(plain), 1, 0.05);
 }
 
