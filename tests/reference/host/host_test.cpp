@@ -143,4 +143,17 @@ INSTANTIATE_TEST_SUITE_P(
                     View{"lake", "near", 0.035, 0.0078}, View{"pool", "near", 0.044, 0.015}),
     [](const auto& test) { return std::string(test.param.scene) + "_" + test.param.camera; });
 
+/// Its messenger goes by its own instance, whichever was made last.
+TEST(TwoHosts, OneThatValidatesOutlivesOneThatDoesNot) {
+    Error error;
+    HostDesc desc;
+    desc.validation = true;
+    std::unique_ptr<Host> validating = Host::create(desc, error);
+    ASSERT_TRUE(validating) << error.text;
+    const std::unique_ptr<Host> other = Host::create({}, error);
+    ASSERT_TRUE(other) << error.text;
+    EXPECT_EQ(validating->validationMessages(), 0u);
+    validating.reset();
+}
+
 } // namespace
