@@ -173,31 +173,68 @@ TEST(BentSun, IsStraightBesideTheWater) {
     expectAlike(pictures, {height / 2 + 10, height - 25});
 }
 
-/// From where a shadow with an upright edge takes a quarter of the light to where it takes three, by columns'
-/// means [pixels].
-size_t edgeWidth(const Picture& picture) {
-    std::vector<double> columns(width, 0.0);
-    for (size_t i = 0; i < size_t{width} * height; ++i) columns[i % width] += brightness(picture, i);
-    const double lit = *std::ranges::max_element(columns), dark = *std::ranges::min_element(columns);
-    return static_cast<size_t>(std::ranges::count_if(columns, [&](double column) {
-        return column > dark + 0.25 * (lit - dark) && column < dark + 0.75 * (lit - dark);
-    }));
+using Columns = std::vector<double>;
+
+void addColumns(const Picture& picture, Columns& sums) {
+    for (size_t i = 0; i < size_t{width} * height; ++i) sums[i % width] += brightness(picture, i);
+}
+
+/// From where a shadow with an upright edge takes a quarter of the light to where it takes three, left of
+/// what casts it [pixels]. Of the light without that, which waves make uneven.
+size_t edgeWidth(const Columns& shaded, const Columns& lit) {
+    const auto darkest = std::ranges::min_element(shaded) - shaded.begin();
+    size_t count = 0;
+    for (size_t i = 0; i < static_cast<size_t>(darkest); ++i) {
+        count += shaded[i] > 0.25 * lit[i] && shaded[i] < 0.75 * lit[i] ? 1 : 0;
+    }
+    return count;
+}
+
+/// Eight metres deep, from two above its bed.
+Scene wavyWater(std::vector<tests::Box> things) {
+    Scene scene = calmWater("high", std::move(things), 8);
+    WavesDesc& waves = scene.water->waves.emplace();
+    waves.windMps = 5;
+    waves.fetchM = 2000;
+    waves.largestPatchM = 40;
+    scene.water->underwater.emplace();
+    scene.cameras[0].positionM = {0, -6, 0.01};
+    scene.cameras[0].targetM = {0, -8, 0};
+    return scene;
+}
+
+struct Edges {
+    Columns drawn = Columns(width, 0.0), traced = Columns(width, 0.0);
+};
+
+/// Traced at several times, since at one all rays stray alike by the waves that are longer than the picture
+/// is wide.
+Edges edgesIn(Scene scene) {
+    HostDesc desc;
+    desc.validation = true;
+    Error error;
+    const std::unique_ptr<Host> host = Host::create(desc, error);
+    EXPECT_TRUE(host) << error.text;
+    Edges edges;
+    if (!host) return edges;
+    addColumns(tests::rendered(*host, scene, width, height), edges.drawn);
+    EXPECT_EQ(host->validationMessages(), 0u);
+    for (int time = 0; time < 8; ++time) {
+        scene.timeS = 3.7 * time;
+        addColumns(tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 2}).color,
+                   edges.traced);
+    }
+    return edges;
 }
 
 /// Waves send the sun's rays astray, the farther the more water lies below what casts.
 TEST(BentSun, WavesSoftenTheShadowOfWhatStandsHigh) {
+    const Edges bare = edgesIn(wavyWater({}));
     for (const double above : {0.5, 3.0, 7.0}) {
         const double shift = 0.8 * above; // of the shadow, so that its edge is amid the picture
-        Scene scene = calmWater("high", {{{shift, above - 8, -20}, {shift + 8, above - 7.9, 20}}}, 8);
-        WavesDesc& waves = scene.water->waves.emplace();
-        waves.windMps = 5;
-        waves.fetchM = 2000;
-        waves.largestPatchM = 40;
-        scene.water->underwater.emplace();
-        scene.cameras[0].positionM = {0, -6, 0.01};
-        scene.cameras[0].targetM = {0, -8, 0};
-        const Pictures pictures = picturesOf(scene);
-        const size_t drawn = edgeWidth(pictures.drawn), traced = edgeWidth(pictures.traced);
+        const Edges edges = edgesIn(wavyWater({{{shift, above - 8, -20}, {shift + 8, above - 7.9, 20}}}));
+        const size_t drawn = edgeWidth(edges.drawn, bare.drawn),
+                     traced = edgeWidth(edges.traced, bare.traced);
         std::printf("%.1f m above the bed: the edge is %zu pixels wide, traced %zu\n", above, drawn, traced);
         const double share = static_cast<double>(drawn) / static_cast<double>(traced);
         EXPECT_GT(share, 0.6);
