@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "program/program.h"
 #include "tests/program/refused.h"
 #include "tests/program/run.h"
 #include "tests/program/sample.h"
@@ -205,7 +206,7 @@ class BadInputTest : public testing::TestWithParam<BadInput> {
 
 TEST_P(BadInputTest, SaysSoOnOneLineAndLeavesNothing) {
     const std::vector<std::string> before = tests::namesIn(folder_.path());
-    const Outcome outcome = tests::run(SEAGLASS_PROGRAM, {GetParam().arguments, {}, folder_.path()});
+    const Outcome outcome = tests::run(demos::runProgram, {GetParam().arguments, {}, folder_.path()});
     tests::expectRefused(outcome, GetParam().says);
     EXPECT_EQ(tests::namesIn(folder_.path()), before);
     EXPECT_TRUE(tests::namesIn(folder_.path() / "out").empty());
@@ -220,7 +221,7 @@ TEST(BadOutput, AFolderThatCannotBeWrittenToIsRefused) {
     const tests::TemporaryFolder folder;
     tests::writeSample(folder.path());
     fs::permissions(folder.path() / "out", fs::perms::owner_read | fs::perms::owner_exec);
-    const Outcome outcome = tests::run(SEAGLASS_PROGRAM, {render({}), {}, folder.path()});
+    const Outcome outcome = tests::run(demos::runProgram, {render({}), {}, folder.path()});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("cannot be written to"), std::string::npos) << outcome.err;
     fs::permissions(folder.path() / "out", fs::perms::owner_all);
@@ -231,7 +232,7 @@ const std::map<std::string, std::string> noDriver = {{"VK_DRIVER_FILES", "/nonex
                                                      {"VK_ICD_FILENAMES", "/nonexistent/none.json"}};
 
 TEST(NoVulkanDevice, DevicesSaysSo) {
-    const Outcome outcome = tests::run(SEAGLASS_PROGRAM, {{"devices"}, noDriver});
+    const Outcome outcome = tests::run(demos::runProgram, {{"devices"}, noDriver});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(tests::countLines(outcome.err), 1u) << outcome.err;
     EXPECT_NE(outcome.err.find("expected a Vulkan 1.3 device"), std::string::npos) << outcome.err;
@@ -242,7 +243,7 @@ TEST(NoVulkanDevice, RenderSaysSoAndWritesNothing) {
     const tests::TemporaryFolder folder;
     tests::writeSample(folder.path());
     const Outcome outcome =
-        tests::run(SEAGLASS_PROGRAM, {render({"--no-validation"}), noDriver, folder.path()});
+        tests::run(demos::runProgram, {render({"--no-validation"}), noDriver, folder.path()});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(tests::countLines(outcome.err), 1u) << outcome.err;
     EXPECT_NE(outcome.err.find("expected a Vulkan 1.3 device"), std::string::npos) << outcome.err;

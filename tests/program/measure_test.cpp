@@ -11,6 +11,7 @@
 #include "measure/page/plot.h"
 #include "measure/picture_error.h"
 #include "measure/technique.h"
+#include "program/program.h"
 #include "tests/program/refused.h"
 #include "tests/program/sample.h"
 
@@ -33,7 +34,7 @@ class Measure : public testing::Test {
     Outcome measure(const std::vector<std::string>& more, const fs::path& interruptOnce = {}) {
         std::vector<std::string> arguments = {"measure"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return tests::run(SEAGLASS_PROGRAM, {arguments, {}, folder_.path(), 0, interruptOnce});
+        return tests::run(demos::runProgram, {arguments, {}, folder_.path(), 0, interruptOnce});
     }
     json measured(const std::string& folder) const {
         return json::parse(tests::readAll(path(folder) / "tradeoff.json"));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "program/program.h"
 #include "tests/program/run.h"
 #include "tests/program/sample.h"
 
@@ -18,7 +19,7 @@ class Render : public testing::Test {
     Outcome render(const std::vector<std::string>& more, size_t largestFile = 0) {
         std::vector<std::string> arguments = {"render", "scene.toml", "--size", "32x18"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return tests::run(SEAGLASS_PROGRAM, {arguments, {}, folder_.path(), largestFile});
+        return tests::run(demos::runProgram, {arguments, {}, folder_.path(), largestFile});
     }
     fs::path out(const std::string& name) const { return folder_.path() / "out" / name; }
     std::vector<std::string> outputs() const { return tests::namesIn(folder_.path() / "out"); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -19,8 +20,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What a child runs: either.
+struct Program {
+    fs::path file;
+    Main main = nullptr;
+};
+
 /// The child's side: never returns.
-[[noreturn]] void become(const fs::path& program, const RunDesc& desc, const fs::path& out,
+[[noreturn]] void become(const Program& program, const RunDesc& desc, const fs::path& out,
                          const fs::path& err) {
     const int flags = O_CREAT | O_WRONLY | O_TRUNC;
     const bool caught = dup2(open(out.c_str(), flags, 0600), STDOUT_FILENO) >= 0 &&
@@ -32,12 +39,17 @@ namespace {
         const rlimit limit = {desc.largestFile, desc.largestFile};
         if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(126);
     }
-    std::vector<std::string> words = {program.string()};
+    std::vector<std::string> words = {program.main ? "seaglass" : program.file.string()};
     words.insert(words.end(), desc.arguments.begin(), desc.arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    execv(program.c_str(), pointers.data());
+    if (program.main) {
+        const int code = program.main(static_cast<int>(words.size()), pointers.data());
+        std::fflush(nullptr);
+        _exit(code); // what libraries do at exit waits for their threads, which a fork leaves behind
+    }
+    execv(program.file.c_str(), pointers.data());
     _exit(127);
 }
 
@@ -57,16 +69,25 @@ int statusOf(pid_t child, const fs::path& interruptOnce) {
     }
 }
 
-} // namespace
-
-Outcome run(const fs::path& program, const RunDesc& desc) {
+Outcome outcomeOf(const Program& program, const RunDesc& desc) {
     const TemporaryFolder caught;
     const fs::path out = caught.path() / "out", err = caught.path() / "err";
+    std::fflush(nullptr); // else the child prints what this process is about to
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("cannot fork");
     if (child == 0) become(program, desc, out, err);
     const int status = statusOf(child, desc.interruptOnce);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readAll(out), readAll(err)};
+}
+
+} // namespace
+
+Outcome run(const fs::path& program, const RunDesc& desc) {
+    return outcomeOf({program}, desc);
+}
+
+Outcome run(Main main, const RunDesc& desc) {
+    return outcomeOf({{}, main}, desc);
 }
 
 TemporaryFolder::TemporaryFolder() {

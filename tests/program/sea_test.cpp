@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "program/program.h"
 #include "tests/program/refused.h"
 
 namespace {
@@ -17,7 +18,7 @@ class SeaCommand : public testing::Test {
     Outcome sea(const std::vector<std::string>& more) {
         std::vector<std::string> arguments = {"sea"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return tests::run(SEAGLASS_PROGRAM, {arguments, {}, folder_.path()});
+        return tests::run(demos::runProgram, {arguments, {}, folder_.path()});
     }
     json figures(std::vector<std::string> more, const char* samples = "128") {
         more.insert(more.end(), {"--json", "--samples", samples});
