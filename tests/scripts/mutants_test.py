@@ -1,4 +1,4 @@
-"""mutants_test.py: scripts/mutants over a tree of one source and one shader, whose test program reads them."""
+"""mutants_test.py: scripts/mutants over a tree of one source and two shaders, whose test program reads them."""
 import os
 import pathlib
 import subprocess
@@ -12,7 +12,7 @@ MUTANTS = ROOT / "scripts/mutants"
 # Sees a sign that is turned; what it is asked for beside fails without any mutant, too.
 PROGRAM = f"""#!{sys.executable}
 import os, pathlib, sys
-text = (pathlib.Path(__file__).parents[2] / "a.cpp").read_text()
+text = "".join((pathlib.Path(__file__).parents[2] / name).read_text() for name in ("a.cpp", "demos/a.frag"))
 if "SEAGLASS_SWAPPED_SHADERS" in os.environ:
     text = (pathlib.Path(os.environ["SEAGLASS_SWAPPED_SHADERS"]) / "a.comp.spv").read_text()
 wanted = next(word for word in sys.argv if word.startswith("--gtest_filter=")).split("=")[1]
@@ -63,6 +63,8 @@ class Mutants(unittest.TestCase):
             path.write_text(text)
             path.chmod(0o755)
         (self.root / "a.cpp").write_text("a -b c\n")
+        (self.root / "demos").mkdir()
+        (self.root / "demos/a.frag").write_text("a -b c\n")
         (self.root / "shaders").mkdir()
         (self.root / "shaders/a.glsl").write_text("a -b c\n")
         (self.root / "shaders/a.comp").write_text("void main\n")
@@ -75,7 +77,7 @@ class Mutants(unittest.TestCase):
         environment = {**os.environ, "PATH": f"{self.root / 'tools'}:{os.environ['PATH']}"}
         done = subprocess.run([MUTANTS, "--root", self.root, "--build", self.root / "build", *options], capture_output=True,
                               text=True, env=environment, timeout=60)
-        for name in ("a.cpp", "shaders/a.glsl"):
+        for name in ("a.cpp", "demos/a.frag", "shaders/a.glsl"):
             self.assertEqual((self.root / name).read_text(), "a -b c\n")
         return done.returncode, done.stdout + done.stderr
 
@@ -95,6 +97,11 @@ class Mutants(unittest.TestCase):
             code, said = self.mutants(entry("turned", after=after, tests=tests, file="shaders/a.glsl"))
             self.assertEqual(code, {"Sign.IsSeen": 0, "survived": 1}.get(words, 2), said)
             self.assertIn(words, said)
+
+    def test_shaders_of_the_demos_are_built(self):
+        code, said = self.mutants(entry("turned", file="demos/a.frag"), "--of", "shader")
+        self.assertEqual(code, 0, said)
+        self.assertIn("Sign.IsSeen", said)
 
     def test_shaders_that_none_includes_are_said(self):
         code, said = self.mutants(entry("turned", before="void", file="shaders/b.glsl"))
