@@ -68,8 +68,8 @@ TEST(SubsurfaceScatteringHost, SurfGainsWhatRaysThroughItDo) {
     const auto scene =
         loadScene(tests::demoScene("shore"),
                   {"water.foam.bias=-1", "sky.clear=true", "sun.elevation_deg=25", "sun.azimuth_deg=285",
-                   "camera.near.position_m=[-10,1.9,-44]", "camera.near.target_m=[-14,1.05,-70]",
-                   "camera.near.vertical_fov_deg=4", "time_s=30"},
+                   "camera.near.position_m=[-10,1.9,-26]", "camera.near.target_m=[-15,1.05,-52]",
+                   "camera.near.vertical_fov_deg=2.6", "time_s=37.5"},
                   error);
     ASSERT_TRUE(scene) << error.text;
     const CameraDesc camera = tests::cameraOf(*scene, "near");
