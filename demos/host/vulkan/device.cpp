@@ -281,10 +281,12 @@ Device::~Device() {
     fence_.reset();
     pool_.reset();
     if (device_) vkDestroyDevice(device_, nullptr);
-    // Of this instance: the last that was made has it only where it validates, too.
-    const auto destroyMessenger = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
-        instance_ ? vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT") : nullptr);
-    if (messenger_) destroyMessenger(instance_, messenger_, nullptr);
+    if (messenger_) {
+        // By this instance: the last that was made has the function only where it validates, too.
+        const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+        destroy(instance_, messenger_, nullptr);
+    }
     if (instance_) vkDestroyInstance(instance_, nullptr);
 }
 

@@ -59,18 +59,24 @@ struct Pictures {
     Picture drawn, traced;
 };
 
-Pictures picturesOf(const Scene& scene) {
+Picture drawnOf(const Scene& scene) {
     HostDesc desc;
     desc.validation = true;
     Error error;
     const std::unique_ptr<Host> host = Host::create(desc, error);
     EXPECT_TRUE(host) << error.text;
-    if (!host) return {};
-    Pictures pictures;
-    pictures.drawn = tests::rendered(*host, scene, width, height);
+    if (!host) return {width, height, std::vector<float>(size_t{4} * width * height)};
+    Picture picture = tests::rendered(*host, scene, width, height);
     EXPECT_EQ(host->validationMessages(), 0u);
-    pictures.traced = tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 16}).color;
-    return pictures;
+    return picture;
+}
+
+Picture tracedOf(const Scene& scene, uint32_t samples) {
+    return tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, samples}).color;
+}
+
+Pictures picturesOf(const Scene& scene) {
+    return {drawnOf(scene), tracedOf(scene, 16)};
 }
 
 void expectAlike(const Pictures& pictures, const Rows& rows = {}) {
@@ -210,19 +216,11 @@ struct Edges {
 /// Traced at several times, since at one all rays stray alike by the waves that are longer than the picture
 /// is wide.
 Edges edgesIn(Scene scene) {
-    HostDesc desc;
-    desc.validation = true;
-    Error error;
-    const std::unique_ptr<Host> host = Host::create(desc, error);
-    EXPECT_TRUE(host) << error.text;
     Edges edges;
-    if (!host) return edges;
-    addColumns(tests::rendered(*host, scene, width, height), edges.drawn);
-    EXPECT_EQ(host->validationMessages(), 0u);
+    addColumns(drawnOf(scene), edges.drawn);
     for (int time = 0; time < 8; ++time) {
         scene.timeS = 3.7 * time;
-        addColumns(tests::traced(scene, {width, height, scene.cameras.front(), scene.timeS, 2}).color,
-                   edges.traced);
+        addColumns(tracedOf(scene, 2), edges.traced);
     }
     return edges;
 }
