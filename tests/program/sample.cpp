@@ -79,6 +79,10 @@ std::string sampleSky() {
     return file;
 }
 
+std::string evenSky() {
+    return "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + std::string(size_t{4} * 8 * 16, '\x80');
+}
+
 std::string sampleMesh() {
     // Four corners, twelve indices (uint16), as one buffer of 72 bytes.
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],

@@ -13,6 +13,8 @@ std::string sampleScene();
 std::string sampleFloorScene();
 /// A 16x8 lat-long sky, Radiance HDR.
 std::string sampleSky();
+/// One of the same light from everywhere, 0.5.
+std::string evenSky();
 /// One tetrahedron, its data within the JSON.
 std::string sampleMesh();
 

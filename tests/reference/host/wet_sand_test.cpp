@@ -12,6 +12,7 @@
 #include "host/water/waves.h"
 #include "seaglass/shore.h"
 #include "tests/program/demo_scenes.h"
+#include "tests/reference/box_file.h"
 #include "tests/reference/traced_picture.h"
 
 namespace {
@@ -141,6 +142,32 @@ TEST(WetSand, LooksAsTraced) {
                 drawnSum / double(count), tracedSum / double(count), off / double(count));
     EXPECT_NEAR(drawnSum / tracedSum, 1, 0.05);
     EXPECT_LT(off, 0.1 * tracedSum);
+}
+
+/// What is painted or polished takes no water up where what is rough beside it does.
+TEST(WetSand, StopsAtWhatIsPainted) {
+    Scene wetted = shore();
+    wetted.meshes.clear();
+    const std::vector<tests::Box> rough = {{{-30, -4, 8}, {-8, 0.4, 30}}},
+                                  painted = {{{-8, -4, 8}, {14, 0.4, 30}}};
+    wetted.meshes = {{tests::writeBoxes("rough", rough, 0.5)},
+                     {tests::writeBoxes("painted", painted, 0.5, 0.4)}};
+    Scene dried = wetted;
+    dried.water->shore.reset();
+    const Picture wet = drawn(wetted, Aov::scene), dry = drawn(dried, Aov::scene);
+    double least[2] = {9, 9}, most[2] = {0, 0};
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            if (x > width / 2 - 3 && x < width / 2 + 3) continue;
+            const size_t i = size_t{y} * width + x, side = x < width / 2 ? 0 : 1;
+            const double ratio = brightnessAt(wet, i) / brightnessAt(dry, i);
+            least[side] = std::min(least[side], ratio);
+            most[side] = std::max(most[side], ratio);
+        }
+    std::printf("rough %.3f to %.3f, painted %.3f to %.3f\n", least[0], most[0], least[1], most[1]);
+    EXPECT_LT(least[0], 0.6);
+    EXPECT_GT(least[1], 0.99);
+    EXPECT_LT(most[1], 1.01);
 }
 
 } // namespace

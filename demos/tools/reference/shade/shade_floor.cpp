@@ -10,14 +10,15 @@
 namespace demos::reference {
 namespace {
 
-float schlick(float f0, float grazing, float cosine) {
-    return f0 + (grazing - f0) * std::pow(1 - cosine, 5.0f);
+float schlick(float f0, float cosine) {
+    return f0 + (1 - f0) * std::pow(1 - cosine, 5.0f);
 }
 
-/// Schlick's, held down where a rough surface hides its own grazing facets (Lagarde 2011).
+/// As fresnel() of demos/host/shaders/mirror.frag.
 float coatFresnel(const FloorDesc& floor, float cosine) {
-    const auto f0 = static_cast<float>(floor.reflectance);
-    return schlick(f0, std::max(1 - static_cast<float>(floor.roughness), f0), cosine);
+    const auto f0 = static_cast<float>(floor.reflectance), roughness = static_cast<float>(floor.roughness);
+    const float facing = std::min(std::sqrt(cosine * cosine + 0.25f * std::pow(roughness, 1.66f)), 1.0f);
+    return schlick(f0, facing) / (1 + 1.3f * roughness * roughness * roughness);
 }
 
 Ray mirroredRay(const Ray& ray, const Hit& hit, const glm::vec3& facet) {
@@ -53,8 +54,7 @@ glm::vec3 roughMirror(const Frame& frame, const Ray& ray, const Hit& hit, Random
     const Ray mirrored = mirroredRay(ray, hit, facet);
     const float leaves = glm::dot(mirrored.direction, hit.facing());
     if (leaves <= 0) return glm::vec3(0); // into a neighbouring facet
-    const float fresnel =
-        schlick(static_cast<float>(floor.reflectance), 1, std::max(glm::dot(v, facet), 0.0f));
+    const float fresnel = schlick(static_cast<float>(floor.reflectance), std::max(glm::dot(v, facet), 0.0f));
     return fresnel * ggxVisible(leaves, alpha) * radianceOf(frame, mirrored, false, &random);
 }
 
