@@ -1,4 +1,4 @@
-# seaglass_join(OUT name SOURCE...): with SEAGLASS_JOIN a target's sources with its tests eight to a file: of the time that a
+# seaglass_join(OUT name SOURCE...): with SEAGLASS_JOIN a target's sources with its tests 24 to a file: of the time that a
 # test's file takes, over half goes into headers. Unlike CMake's unity builds each keeps a namespace of its own, so that two
 # may have helpers of one name. What they include comes first, for headers know not to come twice. Tests with directives of
 # their own stay alone.
@@ -34,7 +34,7 @@ function(seaglass_join out name)
     endif()
   endforeach()
   while(joined)
-    list(SUBLIST joined 0 8 batch)
+    list(SUBLIST joined 0 24 batch)
     list(REMOVE_ITEM joined ${batch})
     list(LENGTH joined left)
     set(written ${CMAKE_CURRENT_BINARY_DIR}/joined/${name}_${left}.cpp)
