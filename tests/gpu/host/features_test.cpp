@@ -77,8 +77,7 @@ class Features : public testing::Test {
     void SetUp() override { messagesBefore_ = device().validationMessages(); }
     void TearDown() override { EXPECT_EQ(device().validationMessages(), messagesBefore_); }
 
-    /// At the waterline, so that a body which is seen from within is.
-    /// As few pixels as show it all: what is counted does not ask for more.
+    /// At the waterline, so that a body which is seen from within is. What is counted asks for few pixels.
     static Camera atTheWaterline() {
         Camera camera = shoreCamera();
         camera.eye.y = 0.02;

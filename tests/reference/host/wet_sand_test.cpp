@@ -147,7 +147,6 @@ TEST(WetSand, LooksAsTraced) {
 /// What is painted or polished takes no water up where what is rough beside it does.
 TEST(WetSand, StopsAtWhatIsPainted) {
     Scene wetted = shore();
-    wetted.meshes.clear();
     const std::vector<tests::Box> rough = {{{-30, -4, 8}, {-8, 0.4, 30}}},
                                   painted = {{{-8, -4, 8}, {14, 0.4, 30}}};
     wetted.meshes = {{tests::writeBoxes("rough", rough, 0.5)},
