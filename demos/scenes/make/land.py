@@ -201,17 +201,20 @@ def hills():
         rise = np.maximum(rise, 0) + 0.5
         rows = []
         # From the air they are seen from behind, with bays and spurs, and where they end.
-        bay = [0.6 + 0.5 * end + 0.7 * waves(a * 2, a * 0, seed + side, 14, 4) for side in (1, 2)]
-        for share, back, spread in (
-            (-0.2, 0.0, -0.05),
-            (0.4, 0.03, -0.02),
-            (0.8, 0.09, 0),
-            (1.0, 0.13, 0),
-            (0.7, 0.13, 0.04),
-            (0.35, 0.13, 0.09),
-            (-0.2, 0.13, 0.14),
+        before, behind = (0.6 + 0.5 * end + 0.7 * waves(a * 2, a * 0, seed + side, 14, 4) for side in (1, 2))
+        shades = []
+        for share, back, spread, shade in (
+            (-0.2, 0.0, -0.05, 1.12),
+            (0.4, 0.03, -0.02, 1.05),
+            (0.8, 0.09, 0, 0.97),
+            (1.0, 0.13, 0, 0.9),
+            (0.7, 0.13, 0.04, 0.95),
+            (0.35, 0.13, 0.09, 1.0),
+            (-0.2, 0.13, 0.14, 1.05),
         ):
-            width = back * np.minimum(3 * end, 1) + spread * bay[spread > 0] * np.minimum(2 * end, 1)
+            shades.append(shade)
+            bay = behind if spread > 0 else before
+            width = back * np.minimum(3 * end, 1) + spread * bay * np.minimum(2 * end, 1)
             r = radius * (1 + width + 0.012 * waves(a * 2, a * 0, seed + 3, 40, 2))
             y = rise * share if share > 0 else np.full_like(a, -6)
             if 0 < share < 1:
@@ -219,5 +222,5 @@ def hills():
             rows.append(np.stack([r * np.cos(np.radians(a)), y, r * np.sin(np.radians(a))], -1))
         p = np.array(rows)
         tint = rgb(color) * (1 + 0.16 * waves(p[..., 0], p[..., 2], seed + 7, radius * 0.08, 3)[..., None])
-        parts.append(shape.grid(p, tint * np.array([1.12, 1.05, 0.97, 0.9, 0.95, 1.0, 1.05])[:, None, None], None, shape.SMOOTH, flip=True))
+        parts.append(shape.grid(p, tint * np.array(shades)[:, None, None], None, shape.SMOOTH, flip=True))
     return shape.join(parts)

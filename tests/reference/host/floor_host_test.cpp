@@ -172,10 +172,11 @@ TEST(FloorOfTheHost, IsAsBrightAsTracedAtGrazingAngles) {
     Error error;
     const std::unique_ptr<Host> host = Host::create({}, error);
     ASSERT_TRUE(host) << error.text;
+    const std::string sky = testing::TempDir() + "even_sky.hdr";
+    tests::writeAll(sky, tests::evenSky());
     for (const double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
         Scene scene;
-        scene.sky.file = testing::TempDir() + "even_sky.hdr";
-        tests::writeAll(scene.sky.file, tests::evenSky());
+        scene.sky.file = sky;
         scene.sun.irradiance = {0, 0, 0};
         FloorDesc& floor = scene.floor.emplace();
         floor.widthM = floor.lengthM = 1e4;

@@ -153,7 +153,7 @@ double rowLuminance(const Picture& picture, uint32_t y) {
     return sum / width;
 }
 
-/// A wall 40 m away across what mirrors it, in fog of no light of its own. The sky has none.
+/// A wall 40 m away across what mirrors it.
 Scene wallAcross(bool floor) {
     Scene scene;
     scene.sky.file = tests::demoTexture("harbour_sky.exr");
@@ -176,6 +176,7 @@ Scene wallAcross(bool floor) {
     return scene;
 }
 
+/// Of no light of its own, and none before the sky.
 void makeFoggy(Scene& scene) {
     scene.fog = FogDesc{.shape = "exponential", .densityPerM = 0.03, .color = {0, 0, 0}, .overSky = false};
 }
